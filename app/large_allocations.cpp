@@ -40,7 +40,7 @@ void* allocate(std::size_t bytes) {
   if (bytes < huge_page) return std::malloc(bytes);
   void* block = nullptr;
   if (posix_memalign(&block, huge_page, bytes) != 0) return nullptr;
-  // the kernel may ignore this advice; pages are small then
+  // the kernel may ignore the advice to use huge pages; pages are small then
   madvise(block, bytes / huge_page * huge_page, MADV_HUGEPAGE);
   return block;
 }

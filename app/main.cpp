@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
                         static_cast<int>(ErrorKind::cannot_mesh));
   } catch (const std::filesystem::filesystem_error& error) {
     return report_error("error", error.what(), static_cast<int>(ErrorKind::usage));
-  } catch (const std::system_error& error) {  // for example, the system allows no more threads
+  } catch (const std::system_error& error) {  // for example, if the system allows no more threads
     return report_error(
         "error", (std::string("the system refuses what the run needs: ") + error.what() + "; try --threads 1").c_str(),
         static_cast<int>(ErrorKind::cannot_mesh));

@@ -36,7 +36,7 @@ struct ConvertCommand {
   std::filesystem::path mesh, output;
   std::string format;
   geomodel::WriteOptions options;
-  bool keep_order = false;  ///< whether elements keep the order of the mesh, if the format supports it
+  bool keep_order = false;  ///< whether elements are written in the order of the mesh, if the format supports it
 };
 struct InfoCommand {
   std::filesystem::path file;

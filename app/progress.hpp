@@ -61,16 +61,16 @@ class Progress {
   Verbosity verbosity_;
   ProgressStyle style_;
   Colours colours_;
-  std::mutex mutex_;  ///< held while the members below or standard error are used
+  std::mutex mutex_;  ///< locked by a thread that uses the members below or standard error
   std::condition_variable ends_;
   bool ended_ = false;
-  std::string stage_, note_;   ///< the running stage, and the text of what it has counted
+  std::string stage_, note_;   ///< name of the running stage, and the text about what it has counted
   std::string remark_;         ///< last remark of the stage about a surface, printed if the stage makes only one
   std::size_t n_remarks_ = 0;  ///< number of remarks about surfaces in the running stage
-  bool is_held_ = false;       ///< whether the stage has ended, and the next one may continue its line
-  int percent_ = -1;           ///< shown percentage of the stage, which never decreases
+  bool is_held_ = false;  ///< whether the stage has ended, and the next stage may be shown in the same line of output
+  int percent_ = -1;      ///< shown percentage of the stage, which never decreases
   std::size_t done_ = 0, total_ = 0;
-  std::size_t first_done_ = 0;  ///< count at the time `counted_since_`, from which rate and remaining time are computed
+  std::size_t first_done_ = 0;  ///< finished items at the time `counted_since_`; the rate is computed from there on
   struct Kind {
     std::string cause, first;  ///< warning
     std::size_t count = 0;

@@ -51,7 +51,8 @@ class Divider {
   }
   double faces(std::size_t t, unsigned i) const {
     if (is_constrained(t, i)) return 0;
-    const Corners at = face(t, i);  // sorted, so that both tetrahedra at the face compute the same number
+    // The corners are in ascending order, so that both tetrahedra at the face estimate the same number of elements.
+    const Corners at = face(t, i);
     const Vec3 &a = model_.mesh.points[at[0]], &b = model_.mesh.points[at[1]], &c = model_.mesh.points[at[2]];
     const Vec3 n = cross(b - a, c - a);
     const double h = model_.size.at((1.0 / 3) * (a + b + c), model_.component[t]);

@@ -34,7 +34,7 @@ class Middles {
 };
 
 /// The octahedron between the six midpoints of a tetrahedron's edges is divided around its shortest diagonal. Midpoints
-/// are listed by edge in the order of the pairs below.
+/// are listed in the order in which `pairs` lists the edges.
 constexpr std::array<std::array<unsigned, 2>, 6> pairs{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 /// A diagonal of the octahedron, between the midpoints of two opposite edges, and the ring of midpoints around it.
 struct Diagonal {

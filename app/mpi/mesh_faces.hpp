@@ -24,8 +24,8 @@ struct InnerFace {
 /// Inner and open faces of a part. O(n log n). Throws InternalError if a face has three tetrahedra, or two on one side.
 struct MeshFaces {
   enum class Which { all, at_border };
-  /// `at_border` searches only faces whose corners may all lie on the outside of the mesh, if the mesh stores which
-  /// points may lie there. All open faces (those of one tetrahedron only) are among them.
+  /// With `at_border`, searches only faces whose corners may all lie on the outside of the mesh, if the mesh stores
+  /// which points may lie there. These include all open faces, which only one tetrahedron has.
   explicit MeshFaces(const RankMesh& mesh, Which which = Which::all);
   std::vector<OpenFace> open;  ///< by cell
 
@@ -41,16 +41,16 @@ struct MeshFaces {
  private:
   /// One use of a face by a tetrahedron; two uses make an inner face.
   struct Use {
-    std::uint64_t low;  ///< the two corners with the smallest vertex numbers, packed into one number
+    std::uint64_t low;  ///< the two smallest vertex numbers of the face, packed into one number
     VertexIndex high;
-    Index code;  ///< index of the cell times four, plus that of the face
+    Index code;  ///< index of the cell times four, plus that of the face in the cell (0 to 3)
     Index other = no_index;
     Index cell() const { return code / 4; }
     Corners corners() const {
       return {static_cast<VertexIndex>(low >> 32), static_cast<VertexIndex>(low & 0xFFFFFFFFu), high};
     }
   };
-  std::vector<Use> uses_;  // for each face of two tetrahedra, its use by one of them
+  std::vector<Use> uses_;  // the faces that two tetrahedra share, once each
 };
 
 }  // namespace geomesh::app

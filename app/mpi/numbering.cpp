@@ -211,7 +211,7 @@ class PartBuilder {
  private:
   bool is_model(std::int64_t number) const { return static_cast<std::size_t>(number) < model_.points.size(); }
 
-  /// Returns the row of the point with this number; a new row if it is not a point of the model.
+  /// Returns the row of a received point in this rank's mesh. A point that is not of the model gets a new row at first.
   VertexIndex row_of(const GhostPoint& p) {
     constexpr std::uint8_t inside = 4;
     geomodel::ModelMesh& out = result_.mesh;

@@ -54,7 +54,7 @@ class BorderHalver {
  private:
   struct LongEdge {
     double squared_length;
-    Vec3 low, high;  // positions of the two ends of the edge, in increasing order
+    Vec3 low, high;  // coordinates of the edge's two ends, in lexicographic order
     Edge ends;
     bool operator<(const LongEdge& o) const {
       if (squared_length != o.squared_length) return squared_length < o.squared_length;
@@ -220,7 +220,7 @@ RankMesh tetrahedra_of_rank(const SparseModel& model, const std::vector<std::int
 /// Tetrahedra in `divided` have changed since and are not marked.
 void settle(RankMesh& mesh, const RankModel& model, const std::set<Index>& divided) {
   constexpr double poor = 30;       // dihedral angle in degrees below which a tetrahedron counts as poor
-  constexpr double as_asked = 1.6;  // largest edge of a tetrahedron that is small enough, in target sizes
+  constexpr double as_asked = 1.6;  // longest edge, in target sizes, of a tetrahedron that needs no refinement
   std::vector<bool> is_about(mesh.points.size(), false);
   const auto corners = [&](const Tetrahedron& t) {
     return std::array{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};

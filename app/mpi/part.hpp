@@ -57,7 +57,7 @@ struct RankModel {
   std::vector<std::int32_t> region_of_component;
 };
 
-/// The tetrahedra of a part of the fine mesh; points have no numbers yet.
+/// The tetrahedra of one rank's part of the fine mesh; points have no global numbers yet.
 struct RankMesh {
   std::vector<Vec3> points;
   std::vector<Tetrahedron> tetrahedra;

@@ -14,7 +14,7 @@
 
 namespace geomesh::app {
 
-/// Shapes on one rank, or summed over ranks. Plain data.
+/// Statistics of the shapes of tetrahedra, of one rank or summed over ranks. Plain data.
 struct PartShapes {
   static constexpr std::size_t n_bins = 1800;  ///< bins of the histogram of dihedral angles, each of 0.1 degrees
   std::uint64_t n = 0;

@@ -50,7 +50,7 @@ Sharers find_sharers(const RankMesh& mesh, const std::vector<VertexIndex>& rows,
   const std::vector<std::vector<Vec3>> came = ranks.exchange(asked);
   Sharers at;
   for (std::size_t r = 0; r < n_ranks; ++r)
-    for (const Vec3& p : came[r]) at[p].push_back(static_cast<std::int32_t>(r));  // each list of ranks is sorted
+    for (const Vec3& p : came[r]) at[p].push_back(static_cast<std::int32_t>(r));  // the ranks at a place are ascending
   // Answers, in the order of each rank's questions: how many ranks share the point, and which.
   std::vector<std::vector<std::int32_t>> answers(n_ranks);
   for (std::size_t r = 0; r < n_ranks; ++r)
@@ -76,7 +76,7 @@ Sharers find_sharers(const RankMesh& mesh, const std::vector<VertexIndex>& rows,
 std::vector<Across> match_faces(const RankMesh& mesh, const std::vector<OpenFace>& faces, const Ranks& ranks) {
   const auto n_ranks = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<PlacedFace>> asked(n_ranks);
-  // for each face, the rank that compares faces at this place, and the face's position in the message to that rank
+  // for each face, the rank that compares the faces of all ranks there, and the face's position in the message to it
   std::vector<std::pair<std::size_t, std::size_t>> sent;
   for (const OpenFace& face : faces) {
     const PlacedFace f = placed(mesh, face);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines which ranks have a point or a face at the same place. Each place has a rank that keeps it. All ranks send
-/// their places to the ranks that keep them, which answer.
+/// Determines which ranks have a point or a face at the same coordinates. One rank is responsible for each point or
+/// face: all ranks send theirs to the responsible ranks, which answer who shares it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace geomesh::app {
 
-/// For each place, the ranks that have a point there, ascending.
+/// For each place of a point, the ranks that have a point there, in ascending order.
 using Sharers = ByPlace<std::vector<std::int32_t>>;
 /// Finds out which ranks share the points `rows` of this rank, which must include all points that other ranks may have,
 /// too. O(n) time and length of messages for n points.

@@ -141,7 +141,7 @@ SparseModel make_sparse_model(const geomodel::Project& project, const RunContext
   const double elements = elements_of(inputs);  // about so many
   const auto mesh_with = [&](unsigned halvings) {
     geomodel::Arranged start = arranged;
-    // The tetrahedra of this mesh are replaced when its edges have been halved, so their shapes matter little.
+    // The tetrahedra of the sparse mesh are replaced when its edges have been halved, so their shapes matter little.
     if (halvings > 0) start.refinement.quality = QualityLevel::fast;
     geomodel::Journal journal = prepared;
     geomodel::VerifiedModel meshed = geomodel::mesh_and_verify(

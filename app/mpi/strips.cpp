@@ -15,9 +15,9 @@ namespace {
 constexpr unsigned layers = 3, n_rounds = 2;
 constexpr std::int32_t nobody = -1;
 
-/// Decides which of the ranks that share a place takes the tetrahedra around it. In the first round the border between
-/// two ranks is divided, so that each takes half of it; in the second the highest rank takes all. Both ranks know all
-/// places that only they share, so both decide alike.
+/// Decides which of the ranks that share a point takes the tetrahedra around it. In the first round the points that the
+/// same two ranks share are divided, so that each rank takes half of them; in the second round the highest rank takes
+/// all. Both ranks know all points that only they share, so both decide alike.
 class Takers {
  public:
   Takers(const Sharers& sharers, unsigned round) : round_(round) {
@@ -39,7 +39,7 @@ class Takers {
     std::size_t axis;
     double at;
   };
-  /// Divides places at the median, along the axis of largest extent.
+  /// Divides the points that two ranks share at the median, along the axis of their largest extent.
   static Cut cut(const std::vector<Vec3>& places) {
     Box3 box;
     for (const Vec3& p : places) box.add(p);
@@ -279,8 +279,8 @@ class StripImprover {
     return n;
   }
 
-  /// Improves the tetrahedra of a strip. Points that do not move, as on the strip's border, keep their mark as
-  /// `pending`.
+  /// Improves the tetrahedra of a strip beside a border between ranks. Points that do not move, as on the border of the
+  /// strip, keep their mark as `pending`.
   Parcel improved(RankMesh strip, const Pending& pending, RefineOptions options, const RunContext& context) const {
     ByPlace<bool> was_pending;
     for (VertexIndex v = 0; v < pending.size(); ++v)

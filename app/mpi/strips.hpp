@@ -10,7 +10,8 @@ namespace geomesh::app {
 
 struct StripsResult {
   std::size_t n_tetrahedra = 0;  ///< number of tetrahedra that this rank has improved again
-  std::size_t n_never_free = 0;  ///< points (of all ranks) on a border between ranks in every round
+  std::size_t n_never_free =
+      0;  ///< number of points, over all ranks, that were on a border between ranks in every round
 };
 
 /// Sends the strip of tetrahedra within some layers of a border to one of the ranks that share the border, which

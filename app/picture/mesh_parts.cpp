@@ -44,7 +44,7 @@ Vec3 point_of(const MeshFile& mesh, vtkIdType v) {
   return {p[0], p[1], p[2]};
 }
 
-/// Returns the corners of a cell in the file's order.
+/// Returns the corners of a cell of the mesh in the order in which the file lists them.
 std::array<vtkIdType, 4> corners(const MeshFile& mesh, vtkIdType cell) {
   auto ids = vtkSmartPointer<vtkIdList>::New();
   mesh.cells->GetCellPoints(cell, ids);

@@ -253,7 +253,7 @@ class SceneBuilder {
     scene_->AddActor2D(bar);
   }
 
-  /// Adds a square of each colour and its name, from the upper left corner down.
+  /// Adds the legend: a square of each colour with its name, from the upper left corner of the picture down.
   void add_legend() {
     const std::size_t n = std::min(entries_.size(), most_names);
     const double row = oversampling * 0.035 * options_.height, left = 0.4 * row;

@@ -20,7 +20,7 @@ double fitting_scale(const MeshFile& mesh);
 /// Builds the scene of a view. Throws std::runtime_error if the mesh has nothing of the requested kind.
 vtkSmartPointer<vtkRenderer> make_scene(const MeshFile& mesh, const PictureOptions& options);
 
-/// Renders at twice the size, scales down by half, and writes the PNG.
+/// Renders the picture at twice its size, scales it down by half, and writes it as PNG.
 void write_picture(vtkRenderer& scene, const PictureOptions& options);
 
 }  // namespace geomesh::picture

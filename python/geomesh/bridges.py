@@ -281,7 +281,7 @@ def _bounds_of(feature, names):
 def _add_loop_horizons(model, strata, isovalues, values, parts):
     names = [feature.name for feature in strata]
     bounds = {feature.name: _bounds_of(feature, names) for feature in strata}
-    # (unit, feature, value) of each surface; a unit for which no base has been found yet; names of the surfaces
+    # (unit, feature, value) of each surface, the base of the unit; a unit without a base yet; names of the surfaces
     surfaces, open_unit, name_of = [], None, {}
     for group in names:
         units = {value: unit for of, unit, value in isovalues if of == group}

@@ -10,12 +10,12 @@ import numpy
 
 class Lattice(NamedTuple):
     """A regular 3D grid of nodes: origin, spacing and counts along x, y, z."""
-    origin: Any  # the first node
-    spacing: Any  # along x, y, z
+    origin: Any  # Coordinates of the first node.
+    spacing: Any  # Distances between adjacent nodes along x, y, z.
     shape: Tuple[int, int, int]
 
     def places(self) -> Any:
-        """Returns the coordinates of the nodes, shape (n, 3), z fastest."""
+        """Returns the coordinates of the lattice's nodes, shape (n, 3), z fastest."""
         axes = [o + d * numpy.arange(n) for o, d, n in zip(self.origin, self.spacing, self.shape)]
         return numpy.stack(numpy.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
 
@@ -47,7 +47,7 @@ class FaultField(NamedTuple):
 
 
 def _neighbour(values: Any, axis: int, step: int, outside: Any) -> Any:
-    """Returns the value `step` nodes farther along an axis; `outside` beyond the border."""
+    """Returns the value `step` nodes farther along an axis for each node of a lattice; `outside` beyond its border."""
     moved = numpy.full_like(values, outside)
     n = values.shape[axis]
     if abs(step) >= n:
@@ -67,11 +67,10 @@ _BEYOND = ([[3, -3, 1], [6, -8, 3], [10, -15, 6]], [[2, -1], [3, -2], [4, -3]], 
 
 
 def continued(values: Any) -> Any:
-    """Returns the values with NaN replaced by finite ones. Up to three nodes from known ones, which are all that a cell
-    across a fault can have, values follow the polynomial of second degree through the three nearest nodes along an
-    axis, or of lower degree if there are fewer. Farther away they are harmonic, so that a level set has no features
-    there which would have to be meshed.
-    """
+    """Returns the values at the nodes of a lattice with NaN replaced by finite ones. Up to three nodes from nodes with
+    a value, which are all that a cell across a fault can have, values follow the polynomial of second degree through
+    the three nearest nodes along an axis, or of lower degree if there are fewer. Farther away they are harmonic, so
+    that a level set has no features there which would have to be meshed."""
     known = numpy.array(values, dtype=float)
     known[~numpy.isfinite(known)] = numpy.nan
     if numpy.isnan(known).all():
@@ -91,7 +90,7 @@ def continued(values: Any) -> Any:
 
 
 def _harmonic(values: Any) -> Any:
-    """Returns the values with NaN replaced by means of their neighbours, from coarse grids to fine ones."""
+    """Returns the values on a grid with NaN replaced by means of their neighbours, from coarse grids to fine ones."""
     missing = numpy.isnan(values)
     if not missing.any():
         return values
@@ -152,7 +151,7 @@ def _blocks(mask: Any) -> Iterator[Tuple[Any, Tuple[int, ...]]]:
 
 
 class FieldPart(NamedTuple):
-    """A field with the nodes on which it is valid, and the equivalent keys of `domain` at faults."""
+    """A field on one side of faults, the keys of `domain` for this side, and the lattice's nodes on it."""
     field: Callable[..., Any]
     domain: Dict[str, Any]
     nodes: Any
@@ -173,7 +172,7 @@ def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], ev
     for side in itertools.product((True, False), repeat=len(faults)):
         nodes = numpy.ones(values.shape, dtype=bool)
         for fault, is_positive in zip(faults, side):
-            rounding = 1e-9 * numpy.abs(fault.values).max()  # nodes this near to a fault belong to neither side
+            rounding = 1e-9 * numpy.abs(fault.values).max()  # nodes with |value| below this are on neither side of a fault
             nodes &= (fault.values > rounding) if is_positive else (fault.values < -rounding)
         if not numpy.isfinite(values[nodes]).any():
             continue

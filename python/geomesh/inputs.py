@@ -99,7 +99,7 @@ def without_nan(points: Any, triangles: Any) -> Tuple[Any, Any]:
     if known.all() or triangles.size == 0:
         return points, triangles
     inside = (triangles >= 0) & (triangles < len(points))
-    # triangles with rows out of range are kept here and rejected later
+    # triangles with rows out of range are not dropped: the check of the arrays rejects them later
     kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)
     rows = numpy.cumsum(known) - 1
     triangles = triangles[kept].astype(numpy.int64)

@@ -102,7 +102,7 @@ class Model:
         self._given: Dict[str, _geomodel.Given] = {}
         self._fields: Dict[str, Any] = {}
         self._functions: Dict[int, Any] = {}
-        self._grids: Dict[str, Tuple[Any, ...]] = {}  # arguments of _geomodel.grid, from which a copy is made
+        self._grids: Dict[str, Tuple[Any, ...]] = {}  # arguments of _geomodel.grid for each grid, kept for pickling
 
     def __repr__(self) -> str:
         counts = [(len(self._surfaces), "surface"), (len(self._wells), "well"), (len(self._points), "point")]
@@ -110,7 +110,7 @@ class Model:
         return "<geomesh.Model %r: %s>" % (self._keys["name"], ", ".join(words))
 
     def __getstate__(self) -> Dict[str, Any]:
-        """Returns the state with inputs as arrays, for pickling and copying."""
+        """Returns the model's state with its inputs as arrays, for pickling and copying."""
         state = dict(self.__dict__)
         state["_given"] = {name: _arrays_of_given(given) for name, given in self._given.items()
                            if name not in self._grids}

@@ -76,7 +76,7 @@ class View:
         return "<geomesh.View of %d kB: .save(file) or .show()>" % (len(self.page) // 1000)
 
     def save(self, file: "os.PathLike[str] | str") -> str:
-        """Writes the page, and returns the name of the file."""
+        """Writes the HTML page of the picture to a file, and returns the name of the file."""
         with open(file, "w", encoding="utf-8") as out:
             out.write(self.page)
         return os.fspath(file)

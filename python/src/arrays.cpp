@@ -16,7 +16,7 @@ template <class Number>
 bool fits(Number value) {
   if constexpr (std::is_signed_v<Number>)
     if (value < 0) return false;
-  return static_cast<std::uint64_t>(value) < no_vertex - 1;  // the last two rows mean "none" and "infinite"
+  return static_cast<std::uint64_t>(value) < no_vertex - 1;  // two numbers mean "no vertex" and "infinite vertex"
 }
 
 template <class Number>

@@ -46,7 +46,7 @@ void replace_points(std::vector<Object>& objects, std::size_t row, const PointAr
   objects[row].points.assign(rows.begin(), rows.end());
 }
 
-/// Returns a copy in which the points of one object are replaced; its frame and everything else are unchanged.
+/// Returns a copy of an input with other points for one surface or other object; everything else is unchanged.
 Given moved(const Given& given, const std::string& kind, std::size_t row, const PointArray& points) {
   FileContents contents = *given.contents;
   if (kind == "surface")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The type Given of the module: contents of one input, made from arrays or read from a file.
+/// The Python type Given: the contents of one input of a project, made from arrays or read from a file.
 #pragma once
 
 #include <pybind11/pybind11.h>

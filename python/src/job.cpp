@@ -25,7 +25,7 @@ std::shared_ptr<py::object> shared_function(py::object function) {
 
 using NumberArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Calls a field given in Python, f(x, y, z), with arrays of these places, and copies its result to `values`.
+/// Calls a Python field f(x, y, z) with arrays of the coordinates of `places`, and copies the result to `values`.
 void call_field(const py::object& function, std::span<const Vec3> places, std::span<double> values) {
   std::array<NumberArray, 3> axes;
   for (std::size_t a = 0; a < 3; ++a) {

@@ -90,7 +90,7 @@ class Job {
   JobRequest request_;
   RunContext context_;
   std::atomic<bool> cancelled_{false};
-  std::mutex mutex_;  ///< locked for access to the members below
+  std::mutex mutex_;  ///< locked by a thread that uses the members below
   std::condition_variable changed_;
   std::vector<Event> events_;
   Tally tally_;

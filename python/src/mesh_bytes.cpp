@@ -15,7 +15,7 @@ using namespace geomodel;
 template <class T, class Plain>
 concept Like = std::same_as<std::remove_const_t<T>, Plain>;
 
-// Lists the members of each type once for both directions: `archive(...)` writes constant values and reads into others.
+// Lists the members of each type once, for encoding and decoding: `archive(...)` writes constants, reads into others.
 template <class A, Like<Region> T>
 void visit(A& archive, T& r) {
   archive(r.id, r.name, r.inside, r.n_tetrahedra, r.volume, r.unit, r.volume_of_input);
@@ -168,8 +168,8 @@ class Reader {
   std::string_view rest_;
 };
 
-/// Mark at the beginning of the bytes. It must be changed whenever members change; together with the version it shows
-/// whether bytes can be read.
+/// Mark at the beginning of the bytes of an encoded mesh. It must be changed whenever the encoded members change;
+/// together with the version it shows whether the bytes can be read.
 const std::string mark = std::string("geomesh mesh 1, ") + GEOMESH_VERSION;
 
 }  // namespace

@@ -99,7 +99,7 @@ py::dict attributes_of(const JobResult& r) {
   return dict;
 }
 
-/// Writes a file, complete or absent, like the program.
+/// Writes the mesh in one format and returns the names of the files. Each file is complete or absent.
 std::vector<std::string> write(const JobResult& r, const std::string& format, const std::string& stem,
                                const py::dict& keywords) {
   const geomodel::WriteOptions options = write_options(keywords);

@@ -54,7 +54,7 @@ Given grid(const std::string& name, const HeightArray& heights, const std::array
 /// Options with which Python runs a project: callbacks, size function, and output folder.
 struct RunArguments {
   JobRequest job;
-  py::object size_function;  ///< None, or f(x, y, z) in the project's coordinates
+  py::object size_function;  ///< None, or the target size as f(x, y, z) in the project's coordinates
   std::optional<std::string> directory;
   bool write = false;
 };

@@ -233,7 +233,7 @@ def test_values_of_one_side_of_a_fault_are_continued_as_the_polynomial_that_they
     near = x - 0.6 * z < 2.5
     found = continued(numpy.where(near, linear, numpy.nan))
     beside = near.copy()
-    for axis in range(3):  # add nodes that share a grid cell with a node of known value
+    for axis in range(3):  # add all corners of the grid cells that have a node of known value
         beside |= numpy.roll(beside, 1, axis) | numpy.roll(beside, -1, axis)
     inside = (slice(1, -1),) * 3
     assert numpy.abs(found - linear)[inside][beside[inside]].max() < 1e-9

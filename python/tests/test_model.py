@@ -119,11 +119,11 @@ def test_objects_of_other_packages_are_understood_by_their_attributes():
     class Of:
         def __init__(self, **attributes):
             self.__dict__.update(attributes)
-    forms = [Of(points=points, faces=flat),                                   # attributes as in PyVista,
-             Of(points=points, cells=[Of(type="triangle", data=triangles)]),  # in meshio,
-             Of(vertices=points, edges=triangles),                            # in GemPy,
-             Of(vertices=points, triangles=triangles, name="x"),              # in LoopStructural
-             Of(vertices=points, faces=triangles),                            # and in trimesh
+    forms = [Of(points=points, faces=flat),                                   # attributes as PyVista has them,
+             Of(points=points, cells=[Of(type="triangle", data=triangles)]),  # as meshio has them,
+             Of(vertices=points, edges=triangles),                            # as GemPy,
+             Of(vertices=points, triangles=triangles, name="x"),              # as LoopStructural
+             Of(vertices=points, faces=triangles),                            # and as trimesh
              (points, triangles)]
     expected = layered().mesh()
     for form in forms:

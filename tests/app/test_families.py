@@ -82,7 +82,8 @@ class Families(ProgramTest):
         self.assert_right("growth_fault", (1,), "careful")
 
     def test_growth_faults_that_die_out(self):
-        self.assert_right("growth_fault", (4,), "careful")
+        """In the second model a triangle beside the tip belonged to no block: 63 % of the points lay in joined units."""
+        self.assert_right("growth_fault", (4, 32), "careful")
 
     def test_picks_of_a_few_wells(self):
         """In all but the first there are faults: one plate over their blocks was a ramp at the fault."""

@@ -67,7 +67,7 @@ class Components {
   CellIndex locate(const PiecewiseLinearComplex::Seed& seed, const char* kind) const {
     const CellIndex first = mesh_.locate(seed.point, mesh_.cell_of(0));
     if (first == no_cell) return no_cell;
-    std::vector<CellIndex> around{first};  // the cells that contain the seed
+    std::vector<CellIndex> around{first};  // cells that contain the region seed
     for (std::size_t k = 0; k < around.size(); ++k) {
       if (mesh_.cells().is_ghost(around[k])) continue;
       const Tetrahedron v = mesh_.cells().vertices(around[k]);
@@ -198,8 +198,8 @@ class Arrays {
           out_.edges.push_back({point_[s.a], point_[s.b], row});
       }
   }
-  /// Marks added points that are on no kept face or edge as inner points. If two facets are separated only by rounding,
-  /// a point that was added on one of them may end up beside it.
+  /// Marks added points that are on no face or edge of the output as inner points. If two facets are separated only by
+  /// rounding, a point that was added on one of them may end up beside it.
   void tell_points_off_constraints() {
     std::vector<bool> is_on(out_.points.size(), false);
     for (const auto& face : out_.faces)
@@ -221,8 +221,8 @@ class Arrays {
   DeclaredModel& model_;
   const Components& components_;
   ConstrainedTetrahedralization& out_;
-  std::vector<VertexIndex> point_;  ///< for each vertex of the mesh, its row in the output
-  std::vector<Index> tetrahedron_;  ///< for each cell of the mesh, its row in the output
+  std::vector<VertexIndex> point_;  ///< by vertex of the recovered mesh: its row in the points of the output
+  std::vector<Index> tetrahedron_;  ///< by cell of the recovered mesh: its row in the tetrahedra of the output
 };
 
 }  // namespace

@@ -21,13 +21,13 @@ class SimplexMap {
  public:
   using Key = std::array<VertexIndex, N>;
 
-  /// Returns the value stored for these vertices, in any order; no_index if there is none.
+  /// Returns the value that is stored for a tuple of vertices, in any order of them; no_index if there is none.
   Index find(const Key& vertices) const {
     if (slots_.empty()) return no_index;
     const Slot& slot = slots_[place_of(sorted(vertices))];
     return slot.value >= erased ? no_index : slot.value;
   }
-  /// Stores the value of these vertices, in any order, in place of any earlier value.
+  /// Stores the value for a tuple of vertices, in any order of them, in place of any earlier value.
   void insert(const Key& vertices, Index value) {
     if (2 * (n_used_ + 1) > slots_.size()) grow_to(std::max<std::size_t>(16, 2 * slots_.size()));
     const Key key = sorted(vertices);

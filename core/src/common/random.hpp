@@ -14,9 +14,9 @@ class Random {
   explicit constexpr Random(std::uint32_t seed = 1) : state_(seed) {}
   /// Returns a random number from 0 to 255.
   constexpr unsigned byte() { return advance() >> 24; }
-  /// Returns a number below n, which is at most 2^16.
+  /// Returns a random number below n, which is at most 2^16.
   constexpr unsigned below(unsigned n) { return (advance() >> 16) % n; }
-  /// Returns one of 2^24 values in [low, high).
+  /// Returns a random number, one of 2^24 values in [low, high).
   constexpr double between(double low, double high) { return low + (high - low) * 0x1p-24 * (advance() >> 8); }
 
  private:

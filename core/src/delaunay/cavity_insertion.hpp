@@ -57,8 +57,8 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   std::size_t n_cavity_ = 0, n_boundary_ = 0;
   /// Squared distance of the new point from the nearest vertex, to which it will be connected. Computed only in 3D.
   double nearest_ = std::numeric_limits<double>::infinity();
-  std::array<VertexIndex, table_side + 1> numbered_;  ///< vertices of the boundary in the order of their numbers
-  std::array<std::array<std::uint16_t, 4>, 2 * table_side> number_;  ///< numbers of the vertices of each boundary face
+  std::array<VertexIndex, table_side + 1> numbered_;  ///< vertices of the cavity's boundary by their local numbers
+  std::array<std::array<std::uint16_t, 4>, 2 * table_side> number_;  ///< by boundary face: local numbers of vertices
   std::uint16_t infinite_local_ = PointRecord::no_local;
   /// Faces of new cells that wait for their neighbour. 3D: row a, column b has the face on the directed boundary edge
   /// (a, b). 2D: row 0 has the face on boundary vertex b of the new cell whose edge begins with b, row 1 the other.
@@ -231,8 +231,8 @@ inline void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexInde
   flags_[c] = ghost ? ghost_flag : 0;
 }
 
-/// Numbers the vertices of the boundary from 0 in their order of occurrence and returns their number. The code has no
-/// branch on whether a vertex is new, because that is unpredictable.
+/// Numbers the vertices of the cavity's boundary from 0 in their order of occurrence and returns their number. The code
+/// has no branch on whether a vertex is new, because that is unpredictable.
 template <class Space, bool Shared>
 unsigned CavityInsertion<Space, Shared>::number_boundary() {
   const Face* faces = boundary_.data();
@@ -314,7 +314,7 @@ void CavityInsertion<Space, Shared>::link_by_map(VertexIndex v) {
     write_cell(k, v);
     const auto& u = boundary_[k].vertices;
     for (unsigned j = 0; j < dimension; ++j) {
-      // Face j of the new cell contains the edge of the boundary face opposite its vertex j; in 2D, its other vertex.
+      // Face j of a new cell contains the edge opposite vertex j of its boundary face; in 2D, that face's other vertex.
       const VertexIndex a = u[(j + 1) % dimension], b = dimension == 3 ? u[(j + 2) % dimension] : a;
       const FaceRef face(cavity_[k], j);
       const auto [at, is_new] =

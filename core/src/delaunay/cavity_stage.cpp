@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t points_a_part = 300000, fewest_in_parts = 40000;
 
-/// The positions that one part inserts, and the outcome for those it could not insert.
+/// The points that one part of a parallel run inserts, and the outcome for those that it could not insert.
 struct PartRun {
   Ownership owned;
   std::size_t begin, end;
@@ -43,7 +43,7 @@ void insert_part(CavityInsertion<Space3, true>& part, PartRun& run, const std::v
   }
 }
 
-/// Divides the Hilbert curve into equal parts.
+/// Divides the Hilbert curve into `n_parts` runs of equally many of the places of SpatialOrder.
 std::vector<PartRun> cut_curve(std::size_t n_parts) {
   std::vector<PartRun> runs;
   const auto place = [&](std::size_t k) { return static_cast<std::uint16_t>(k * SpatialOrder::n_places / n_parts); };
@@ -85,7 +85,7 @@ void CavityStage::insert_waiting() {
   insert_all(positions, 0);
 }
 
-/// Inserts `positions`, which are in the order of the Hilbert curve.
+/// Inserts the points at `positions` of the insertion order, which are sorted along the Hilbert curve.
 void CavityStage::insert_all(const std::vector<VertexIndex>& positions, double distance) {
   if (positions.size() < fewest_in_parts) return insert_one_by_one(positions, distance);
   insert_one_by_one(insert_in_parts(positions, distance), distance);
@@ -107,8 +107,8 @@ void CavityStage::insert_one_by_one(const std::vector<VertexIndex>& positions, d
   }
 }
 
-/// Returns the first position whose point lies in a cell that the part owns, and sets this cell as the part's hint.
-/// Returns `end` if a few tries find none.
+/// Returns the first position whose point lies in a cell that a part of the parallel run owns, and lets the part's
+/// walks start at this cell. Returns `end` if a few tries find none.
 std::size_t CavityStage::start_part(Part& part, const std::vector<VertexIndex>& positions, std::size_t begin,
                                     std::size_t end, Ownership owned) {
   constexpr std::size_t step = 48, tries = 64;

@@ -30,11 +30,11 @@ class CavityStage {
               const RunContext& context);
 
   void start(const Tetrahedron& first) { sequential_.start(first); }
-  /// Inserts the positions [begin, end), which are in the order of the Hilbert curve.
+  /// Inserts the points at positions [begin, end) of the insertion order, which are sorted along the Hilbert curve.
   void insert_round(VertexIndex begin, VertexIndex end);
   /// Inserts the points that were deferred because they were too close to others. The triangulation is then complete.
   void insert_waiting();
-  /// Removes unused slots and writes the statistics.
+  /// Removes the mesh's unused slots and writes the statistics of insertion.
   void finish(DelaunayStatistics& statistics);
 
   const std::vector<Twin>& twins() const { return twins_; }

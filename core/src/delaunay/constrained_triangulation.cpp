@@ -39,7 +39,7 @@ bool ConstrainedTriangulation::start_with_a_triangle(std::vector<VertexIndex>& o
 }
 
 bool ConstrainedTriangulation::triangulate() {
-  constexpr std::size_t few = 64;  // number of points up to which insertion is fast in any order
+  constexpr std::size_t few = 64;  // number of points up to which insertion is fast in any order of the points
   std::vector<VertexIndex> order(records.size() - 1);
   std::iota(order.begin(), order.end(), VertexIndex{0});
   if (order.size() > few) order = hilbert_order(std::vector<Vec3>(records.begin(), records.end() - 1));

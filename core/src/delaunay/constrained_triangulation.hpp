@@ -16,7 +16,7 @@
 
 namespace geomesh {
 
-/// Holds the mesh and the points to which the base class has references.
+/// Holds the mesh and the points, to which the other base class of ConstrainedTriangulation has references.
 struct PlaneStore {
   TriMesh mesh;
   std::vector<PointRecord> records;  ///< the points by index, followed by the infinite vertex
@@ -26,7 +26,7 @@ struct PlaneStore {
 class ConstrainedTriangulation : private PlaneStore, private CavityInsertion<PlaneSpace> {
  public:
   using Edge = std::array<VertexIndex, 2>;
-  /// An obstacle to a constraint: a vertex on it, or the two ends of a constraint that it crosses.
+  /// An obstacle to a permanent edge: a vertex on the edge, or the two ends of a permanent edge that crosses it.
   using Obstacle = std::vector<VertexIndex>;
 
   /// The points must be exactly in one plane that is not parallel to the axis of projection.
@@ -44,7 +44,7 @@ class ConstrainedTriangulation : private PlaneStore, private CavityInsertion<Pla
   void restore_delaunay();
   /// Returns the apex of the triangle on the left of edge a-b; nothing if there is no such edge or triangle.
   std::optional<VertexIndex> apex(VertexIndex a, VertexIndex b) const;
-  /// Returns the triangles that are reached from the left of the edges `from` without crossing one of `barriers`.
+  /// Returns the triangles that are reached from the left of the edges `from` without crossing an edge of `barriers`.
   std::vector<Triangle> triangles_left_of(std::vector<Edge> from, std::span<const Edge> barriers) const;
 
  private:

@@ -125,7 +125,7 @@ DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> poi
   DelaunayTetrahedralization result;
   TetMesh& mesh = result.mesh;
   mesh.reserve(8 * points.size() + 64 * SlotSource::block);
-  // The memory of the cells is first used for sorting, which takes 16 of its 256 bytes per point.
+  // The memory of the mesh's cells first serves for sorting the points, which takes 16 of its 256 bytes per point.
   SpatialOrder spatial =
       spatial_order(points, {reinterpret_cast<std::uint64_t*>(mesh.cells()), 2 * points.size()}, threads);
   const Tetrahedron first = first_tetrahedron(points, spatial.order);

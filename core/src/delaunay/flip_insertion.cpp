@@ -23,7 +23,7 @@ bool FlipInsertion::all_positive() {
   return std::all_of(new_.begin(), new_.end(), [&](const CellVertices& v) { return positive(v); });
 }
 
-/// Replaces the cells old_ by new_, which fill the same polyhedron.
+/// Replaces the cells listed in old_ by those in new_, which fill the same polyhedron.
 void FlipInsertion::replace() {
   for (const CellIndex c : old_) flags_[c] |= cavity_flag;
   pairing_.begin(4 * (old_.size() + new_.size()));
@@ -62,7 +62,7 @@ void FlipInsertion::collect_holders(CellIndex c, const Vec3& p) {
   GEOMESH_CHECK(on.size() <= 2);
   if (on.size() == 1) old_.push_back(cells_[c].neighbors[on[0]].cell());
   if (on.size() < 2) return;
-  // Turns around the common edge of both faces that contain p, leaving each cell through the face not entered.
+  // Turns around the edge on which p lies: leaves each cell through that face at the edge by which it was not entered.
   FaceRef next = cells_[c].neighbors[on[0]];
   VertexIndex pivot = cells_[c].vertices[on[1]];
   while (next.cell() != c) {

@@ -62,7 +62,7 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   void replace();
   unsigned index_of(CellIndex c, VertexIndex v) const { return mesh_.index_of(c, v); }
 
-  std::vector<CellIndex> old_;     ///< cells to be replaced
+  std::vector<CellIndex> old_;     ///< cells that a flip or a split replaces
   std::vector<CellVertices> new_;  ///< cells that replace old_; after replace() their slots are in made_
   std::vector<CellIndex> made_;
   std::vector<Candidate> queue_;

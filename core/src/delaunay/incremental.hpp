@@ -20,8 +20,8 @@ namespace geomesh {
 enum class InsertionOutcome {
   inserted,
   duplicate,  ///< the point equals a vertex, which `IncrementalTriangulation::twin()` returns
-  too_near,   ///< the point is closer to a vertex than the cluster distance; nothing was changed
-  not_owned,  ///< the insertion would change cells of another part; nothing was changed
+  too_near,   ///< the point is closer to a vertex than cluster_distance; nothing was changed
+  not_owned,  ///< nothing changed: the insertion needs cells that another part of the parallel run owns
 };
 
 /// Base of the incremental algorithms. Vertices are positions in insertion order; the infinite vertex follows the last.
@@ -60,7 +60,7 @@ class IncrementalTriangulation {
 
  protected:
   /// Returns a cell in conflict with p: the cell that contains p, or the ghost of a hull face beyond which p lies;
-  /// no_cell if the walk leaves the owned part.
+  /// no_cell if the walk leaves the cells that this part of a parallel run owns.
   CellIndex walk(const Vec3& p);
   /// Returns the vertex of c equal to p, or no_vertex.
   VertexIndex equal_vertex(const CellVertices& v, const Vec3& p) const;

@@ -51,7 +51,7 @@ class SlotSource {
       for (; c < std::min(stop, end); ++c) r.push_back(c);
     return r;
   }
-  /// Continues with a new range of slots from `base`; the rest of the old range is added to the freed slots.
+  /// Continues with a new range of cell slots from `base`; the rest of the old range is added to the freed slots.
   void restart(CellIndex base, CellIndex limit) {
     for (; next_ < block_end_; ++next_)
       if (next_ < limit_) free_.push_back(next_);

@@ -43,8 +43,8 @@ bool Space3::near_tie_conflict(const std::array<Vec3, 4>& r) {
   return false;
 }
 
-/// Decides a tie like detail::in_sphere_tie, but selects the greatest remaining point instead of sorting, because the
-/// first one nearly always decides.
+/// Decides a tie of the in-sphere test like detail::in_sphere_tie. Instead of sorting the points it selects the
+/// greatest remaining one, because the first nearly always decides.
 bool Space3::tie_conflict(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p) {
   const std::array<const Vec3*, 4> v{&a, &b, &c, &d};
   for (unsigned left = 0b1111; left != 0;) {

@@ -10,7 +10,7 @@
 
 namespace geomesh {
 
-/// The position of a point that equals an already inserted vertex.
+/// The position, in insertion order, of a point that equals an already inserted vertex.
 struct Twin {
   VertexIndex position, vertex;
 };
@@ -25,7 +25,7 @@ inline std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, Poin
     if (other < kept) std::swap(kept, other);
     representative[other] = kept;
   }
-  // Each id refers to itself or to a lesser id of an equal point, which is final already in ascending order of ids.
+  // Each entry of the list is the point's own id or the lesser id of an equal point, whose entry is final already.
   for (VertexIndex i = 0; i < n; ++i) representative[i] = representative[representative[i]];
   return representative;
 }

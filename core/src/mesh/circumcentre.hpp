@@ -9,7 +9,7 @@
 
 namespace geomesh {
 
-/// Returns the circumcentre in the plane of the triangle, or nothing if its points are (nearly) collinear.
+/// Returns the circumcentre of the triangle in its plane, or nothing if its points are (nearly) collinear.
 inline std::optional<Vec3> circumcentre(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, n = cross(u, v);
   const double nn = dot(n, n);

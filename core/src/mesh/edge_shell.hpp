@@ -32,7 +32,7 @@ class EdgeShell {
     Value best;
   };
 
-  /// Finds the best triangulation of the polygon of n vertices by dynamic programming; returns its value. O(n^3).
+  /// Finds the best triangulation of the n vertices around an edge by dynamic programming; returns its value. O(n^3).
   template <class Goal>
   Value triangulate(std::size_t n, const Goal& goal) {
     n_ = n;
@@ -50,7 +50,7 @@ class EdgeShell {
     return n < 3 ? goal.edge() : best_[0][n - 1];
   }
 
-  /// Calls visit(i, k, j) for each triangle of the best triangulation of the polygon, i < k < j.
+  /// Calls visit(i, k, j), i < k < j, for each triangle of the best triangulation that was found for the polygon.
   template <class Visit>
   void for_each_triangle(const Visit& visit) const {
     if (n_ >= 3) descend(0, n_ - 1, visit);

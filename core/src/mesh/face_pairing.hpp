@@ -33,9 +33,9 @@ template <class Mark>
 class FacePairing {
  public:
   enum class Role : std::uint8_t {
-    outer,   ///< face of a kept cell, or of no cell if it is on the outside
+    outer,   ///< face of a cell next to the replaced ones, or of no cell on the outside of the mesh
     inner,   ///< face between two removed cells; its mark waits for an equal new face
-    added,   ///< face of a new cell that has not met an equal face
+    added,   ///< face of a new cell for which no equal face has been found yet
     linked,  ///< face whose cell has been linked with the cell across it
   };
   struct Entry {

@@ -14,7 +14,7 @@ namespace geomesh {
 
 struct SpatialOrder {
   std::vector<VertexIndex> order;
-  std::vector<std::size_t> round_begin;  ///< where each round begins in `order`; finally the number of points
+  std::vector<std::size_t> round_begin;  ///< begin of each insertion round in `order`; last, the number of points
   /// The part of the Hilbert curve in which each point of `order` lies. The curve is cut into `n_places` parts that
   /// hold about equally many points, the same parts for all rounds.
   std::vector<std::uint16_t> place;

@@ -36,7 +36,7 @@ class PartFinder {
   }
 
  private:
-  /// Returns whether removing an edge, whose two sides are c and d, leaves a convex angle at the vertex of corner c.
+  /// Returns whether the angle at the vertex of corner c is convex without the edge whose two sides are c and d.
   bool stays_convex(Index c, Index d) const {
     const VertexIndex before = patch_.vertex(previous_[c]), after = patch_.vertex(next_[next_[d]]);
     return before != after && patch_.turn(before, patch_.vertex(c), after) != Sign::negative;

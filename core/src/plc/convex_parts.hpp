@@ -14,10 +14,10 @@
 namespace geomesh {
 
 struct ConvexPart {
-  /// Vertices in the orientation of the patch's triangles; angles of 180 degrees are allowed.
+  /// Border vertices of the part in the orientation of the patch's triangles; angles of 180 degrees are allowed.
   std::vector<VertexIndex> border;
-  std::vector<Index> triangles;       ///< triangles of the patch, ascending
-  std::vector<InnerEdge> left_out{};  ///< removed edges: those between two triangles of the part
+  std::vector<Index> triangles;       ///< the patch's triangles that make up the part, ascending
+  std::vector<InnerEdge> left_out{};  ///< edges inside the part, between two of its triangles
 };
 
 /// Returns the convex parts of the patch, ordered by their smallest triangle. `segments` are edges that must be kept,

@@ -69,7 +69,7 @@ class Merger {
 
   const PiecewiseLinearComplex& plc_;
   const std::vector<CoplanarPatch> patches_;
-  std::vector<Index> new_row_;  ///< new rows of the facets that are kept unchanged
+  std::vector<Index> new_row_;  ///< row in the merged complex of each facet that is kept unchanged
   MergedFacets out_;
 };
 

@@ -11,12 +11,12 @@ namespace geomesh {
 
 namespace {
 
-/// A facet, segment or inner segment at an edge; `facet` is no_index for anything but a plain triangle.
+/// An item of the complex at an edge; `facet` is no_index unless it is a triangular facet with nothing inside.
 struct EdgeUse {
   VertexIndex a, b;  ///< a < b
   Index facet;
   VertexIndex apex;
-  /// Returns a sort key of this use of an edge a-b by a facet: uses with equal a are sorted by b, then by facet.
+  /// Returns a sort key of the use of edge a-b by an item: uses with equal a are sorted by b, then by facet.
   std::uint64_t order() const { return std::uint64_t{b} << 32 | facet; }
 };
 
@@ -91,7 +91,7 @@ bool is_inside_patch(const PiecewiseLinearComplex& plc, std::span<const Index> p
   return are_coplanar(p[uses[0].a], p[uses[0].b], p[uses[0].apex], p[uses[1].apex]);
 }
 
-/// Finds patches by uniting the two triangles at each edge inside a patch.
+/// Finds patches of coplanar triangles by uniting the two triangles at each edge inside a patch.
 class PatchFinder {
  public:
   PatchFinder(const PiecewiseLinearComplex& plc, std::span<const Index> provenance)
@@ -162,7 +162,7 @@ class PatchFinder {
   std::vector<Index> row_;    ///< for each facet that is the first of its patch, the patch's row in patches_
   std::vector<CoplanarPatch> patches_;
   std::vector<InnerEdge> inner_edges_;      ///< of all patches
-  std::vector<Index> facet_of_inner_edge_;  ///< one of the two facets at each inner edge
+  std::vector<Index> facet_of_inner_edge_;  ///< for each of inner_edges_, one of the two facets at the edge
 };
 
 }  // namespace

@@ -105,7 +105,7 @@ class FacetTriangulator {
          culprits);
     return false;
   }
-  /// Keeps the triangles inside: those reached from the left of the outer loop without crossing any loop.
+  /// Keeps the triangles inside the facet: those reached from the left of the outer loop without crossing any loop.
   void take_inside(const ConstrainedTriangulation& plane) {
     std::vector<Edge> sides;
     const auto add_sides = [&](const std::vector<VertexIndex>& loop) {

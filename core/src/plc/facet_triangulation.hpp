@@ -23,7 +23,7 @@ struct FacetPolygon {
 struct FacetTriangulation {
   std::vector<Triangle> triangles;  ///< triangles with the orientation of the facet's outer loop
   bool exactly_planar = false;
-  double deviation = 0;  ///< largest distance of a vertex from the mean plane; zero if exactly planar
+  double deviation = 0;  ///< largest distance of a facet vertex from the mean plane; zero if exactly planar
 };
 
 /// Why a polygon cannot be used, with the vertices that cause it.

@@ -16,7 +16,7 @@ namespace {
 
 struct Item {
   Box3 box;
-  VertexIndex a = no_vertex, b = no_vertex, c = no_vertex;  ///< corners of a triangle, or ends a-b of an edge without c
+  VertexIndex a = no_vertex, b = no_vertex, c = no_vertex;  ///< corners of a triangle; an edge a-b has no c
   Index facet = no_index;
 };
 

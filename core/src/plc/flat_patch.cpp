@@ -125,7 +125,7 @@ bool FlatPatch::holds(Index triangle, const Vec2& x) const {
   return true;
 }
 
-/// Returns the largest distance of x beyond a side of the triangle; 0 if it is beyond none.
+/// Returns the largest of the distances by which point x lies beyond the triangle's sides; 0 if it lies inside.
 double FlatPatch::distance_outside(Index triangle, const Vec2& x) const {
   const Triangle& t = triangles_[triangle];
   double most = 0;

@@ -32,7 +32,7 @@ class FlatPatch {
   /// Returns the corner at which the edge that begins at `corner` begins, reversed, in the adjacent triangle; no_index
   /// if the edge is on the border of the patch.
   Index opposite(Index corner) const { return opposite_[corner]; }
-  /// Returns positive if a, b, c have the orientation of the triangles.
+  /// Returns positive if the vertices a, b, c have the same orientation as the triangles of the patch.
   Sign turn(VertexIndex a, VertexIndex b, VertexIndex c) const { return turn(a, b, points_[c]); }
   Sign turn(VertexIndex a, VertexIndex b, const Vec3& c) const { return orient2d(flat(a), flat(b), projection_(c)); }
   /// Returns the patch as one polygon: the outer loop and the holes, with the patch on their left; the given segments;

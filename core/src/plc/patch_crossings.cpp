@@ -69,7 +69,7 @@ class PatchCrossings {
     const VertexIndex beyond = side->apex == apex ? side->other_apex : side->apex;
     return is_locally_delaunay(a, b, apex, beyond) && is_locally_delaunay(a, b, new_apex, beyond);
   }
-  /// Returns whether the sum of the two angles opposite the edge a-b is at most 180 degrees.
+  /// Returns whether the sum of the two angles opposite the edge a-b in its two triangles is at most 180 degrees.
   bool is_locally_delaunay(VertexIndex a, VertexIndex b, VertexIndex apex, VertexIndex other_apex) const {
     const auto sees = [&](VertexIndex from) {
       const Vec3 to_a = points_[a] - points_[from], to_b = points_[b] - points_[from];
@@ -127,8 +127,8 @@ class PatchCrossings {
   std::span<const Vec3> points_;
   std::span<const InnerEdge> edges_;
   std::span<const Index> first_;
-  std::vector<VertexIndex> vertices_;  ///< vertices of the patch that is being triangulated
-  std::vector<VertexIndex> row_;       ///< row of each point in vertices_; undefined for points of other patches
+  std::vector<VertexIndex> vertices_;  ///< vertices of the coplanar patch that is being triangulated
+  std::vector<VertexIndex> row_;       ///< row of each point of the complex in vertices_; undefined for other patches
 };
 
 }  // namespace

@@ -75,7 +75,7 @@ class RoofBuilder {
     return largest > 0;
   }
   std::array<Vec3, 3> base() const { return {points_[base_[0]], points_[base_[1]], points_[base_[2]]}; }
-  /// Orders the corners so that they turn in one direction, beginning with the least one, as projected along the axis.
+  /// Orders the polygon's corners, as projected along the axis, in a fixed sense of rotation from the least corner on.
   /// Polygons that are stacked along the axis then get inner points above each other, so that the spheres around the
   /// triangles of one roof contain no points of the other roofs.
   void put_in_order() {
@@ -166,11 +166,11 @@ class RoofBuilder {
     return out;
   }
 
-  std::vector<Vec3> points_;            ///< corners of the polygon, followed by inner points
+  std::vector<Vec3> points_;            ///< corners of the polygon, followed by the points added inside it
   std::size_t n_;                       ///< of corners
   std::array<std::size_t, 3> base_{};   ///< corners
   std::size_t axis_ = 0;                ///< axis along which the polygon is projected
-  bool is_turned_ = false;              ///< whether the stored corners are in reverse of the polygon's order
+  bool is_turned_ = false;              ///< whether points_ has the corners in reverse of the order given by the caller
   std::vector<VertexIndex> given_row_;  ///< by corner
   std::vector<Vec3> flat_;              ///< the points, projected
   std::vector<Vec3> inward_;            ///< inward unit normal of each side of the polygon, in the projection

@@ -156,7 +156,7 @@ Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
   const auto u = vector_from(a, d, 0.0), v = vector_from(b, d, 0.0), w = vector_from(c, d, 0.0);
   const double det = det3(u, v, w), permanent = permanent3(u, v, w);
   if (std::fabs(det) > filter::orient3d_permanent_factor * permanent) return -sign_of(det);
-  // each product has a zero factor, so the determinant is exactly 0 (a plane perpendicular to an axis)
+  // each product in the determinant is zero, so it is exactly 0 (points in a plane perpendicular to an axis)
   if (permanent == 0) return Sign::zero;
   const exact::TwoDouble fine = det3(vector_from(a, d, exact::TwoDouble{}), vector_from(b, d, exact::TwoDouble{}),
                                      vector_from(c, d, exact::TwoDouble{}));

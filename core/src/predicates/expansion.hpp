@@ -61,7 +61,7 @@ struct Expansion {
   double term[Capacity];
 
   Expansion() = default;
-  /// Copies the `size` terms in use, not the whole array.
+  /// Copies the `size` terms of the expansion that are in use, not the whole array.
   Expansion(const Expansion& other) : size(other.size) {
     for (int i = 0; i < size; ++i) term[i] = other.term[i];
   }

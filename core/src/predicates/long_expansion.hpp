@@ -31,10 +31,10 @@ class LongExpansion {
     for (const double t : terms_) sum += t;
     return sum;
   }
-  /// Returns the magnitude of the smallest nonzero term; 0 if there is none.
+  /// Returns the magnitude of this sum's smallest nonzero term; 0 if there is none.
   double least_term() const { return terms_.empty() ? 0 : std::fabs(terms_.front()); }
 
-  /// Returns the sum of the terms whose magnitude is at least `least`, which approximates this number.
+  /// Returns the sum of this expansion's terms with a magnitude of at least `least`, which approximates the whole sum.
   LongExpansion without_below(double least) const {
     LongExpansion out;
     for (const double t : terms_)

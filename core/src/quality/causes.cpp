@@ -86,7 +86,7 @@ bool CauseFinder::is_between_bends(const ShortEdge& e) const {
 }
 
 void CauseFinder::explain(ShortEdge& e, std::span<const Index> cells, double share) {
-  std::vector<VertexIndex> about{e.a, e.b};  // the ends of the edge, and vertices where curves from both ends meet
+  std::vector<VertexIndex> about{e.a, e.b};  // ends of the short edge, and vertices where curves from both ends meet
   for (const SoupEdge& x : stars_.edges(e.a))
     for (const SoupEdge& y : stars_.edges(e.b))
       if (x.other == y.other) about.push_back(x.other);

@@ -20,9 +20,9 @@ InputCreases find_creases(const PiecewiseLinearComplex& plc, const QualityOption
 
 class CauseFinder {
  public:
-  /// All arguments must outlive this object.
+  /// The mesh, the options and the feature edges must outlive this object.
   CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases);
-  /// Sets the cause of an element and the data that belong to it. Angles at a vertex are kept for its other elements.
+  /// Sets the cause of a bad element and its data. Angles at vertices are remembered for other elements there.
   void explain(WorstElement& w);
   /// Sets the cause of an edge that is shorter than `share` of its target size. `cells` are the cells around the edge.
   void explain(ShortEdge& e, std::span<const Index> cells, double share);
@@ -44,7 +44,7 @@ class CauseFinder {
   const QualityOptions& options_;
   SoupStars stars_;
   GapFinder gaps_;
-  std::vector<MeetingAngle> angles_;  // least angle at each vertex; negative if not computed yet
+  std::vector<MeetingAngle> angles_;  // least angle of input items at each vertex; negative if not computed yet
 };
 
 /// Returns the least dihedral angle (degrees) of the tetrahedron a b c d if it is below `bad_angle`, otherwise nothing.

@@ -13,11 +13,11 @@ namespace geomesh {
 
 namespace {
 
-/// A facet at one of its edges.
+/// A facet of the input as seen from one of its edges.
 struct Use {
   VertexIndex a, b;  ///< ascending
   Index patch, facet;
-  Vec3 inward;  ///< direction within the facet, away from the edge
+  Vec3 inward;  ///< direction in the facet's plane, from the edge into the facet
 };
 
 std::vector<Use> uses_of_edges(const PiecewiseLinearComplex& plc, std::span<const Index> facet_patch) {

@@ -15,7 +15,7 @@ namespace geomesh {
 
 namespace {
 
-/// The part of an edge's dual face inside one tetrahedron. It is listed under the first vertex of the edge.
+/// The part of an edge's dual face inside one tetrahedron, listed under the edge's vertex of lower index.
 struct Part {
   VertexIndex second;
   double area;
@@ -37,13 +37,13 @@ double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex,
 /// The vertices in [from, to), and the parts of dual faces of edges whose vertex of lower index is one of them.
 struct Window {
   std::size_t from, to;
-  std::vector<std::size_t>& end_of;  ///< for each vertex in [from, to), the end of its range in `parts`
+  std::vector<std::size_t>& end_of;  ///< for each vertex in [from, to): where the parts of its edges end in `parts`
   std::vector<Part>& parts;
   // If v is below `from`, the unsigned difference wraps around to a large number, so one comparison is enough.
   bool has(VertexIndex v) const { return v - from < to - from; }
 };
 
-/// For each edge of tetrahedron t whose vertex of lower index is in the window, adds the part of its dual face in t.
+/// Adds the part in tetrahedron t of the dual face of each edge of t whose lower vertex is in the window.
 void add_parts(std::span<const Vec3> points, const Tetrahedron& t, Window& window) {
   // The tests of the four vertices are combined with |, so that there is one branch instead of four.
   if (!(window.has(t[0]) | window.has(t[1]) | window.has(t[2]) | window.has(t[3]))) return;
@@ -88,7 +88,7 @@ std::vector<std::array<VertexIndex, 2>> border_edges(std::span<const Tetrahedron
 
 void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                         const std::function<void(const DualFace&)>& use) {
-  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // parts of dual faces, by lower vertex of their edge
+  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // dual-face parts by the lower vertex of their edge
   for (const Tetrahedron& t : tetrahedra)
     for (const auto& e : edge_vertices) ++n_parts_at[std::min(t[e[0]], t[e[1]])];
   constexpr std::size_t n_windows = 16, least_at_once = 1 << 12;

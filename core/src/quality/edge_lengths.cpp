@@ -19,13 +19,13 @@ namespace {
 /// Number of blocks of vertices whose edges are measured in parallel. Each takes 48 / n_blocks bytes per tetrahedron.
 constexpr std::size_t n_blocks = 8;
 
-/// A group (for statistics) and a component that some tetrahedron belongs to.
+/// A pair of a group (for statistics) and a component (for target sizes) that some tetrahedron belongs to.
 struct Part {
   Index group, component;
   friend auto operator<=>(const Part&, const Part&) = default;
 };
 
-/// The combinations of group and component that occur, ascending, and the row of each tetrahedron's.
+/// The combinations of group and component that tetrahedra belong to, ascending, and each tetrahedron's row in them.
 struct PartTable {
   explicit PartTable(const CellParts& parts) : row(parts.group.size()), n_groups(parts.n_groups) {
     const auto at = [&](std::size_t t) { return Part{parts.group[t], parts.component[t]}; };
@@ -79,8 +79,8 @@ class SizesAtVertices {
   std::vector<double> sizes_;
 };
 
-/// The edges whose lower vertex is in [begin, end). Their uses are sorted by the lower vertex (a counting sort), then
-/// within each lower vertex.
+/// The mesh edges whose lower vertex is in [begin, end). Their uses by groups and components are sorted by the lower
+/// vertex (a counting sort), then within each lower vertex.
 class EdgeBlock {
  public:
   EdgeBlock(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const PartTable& parts,
@@ -164,7 +164,7 @@ class EdgeBlock {
     double size;  ///< 0: not known
   } size_here_{no_index, 0};
   std::size_t begin_;
-  std::vector<std::size_t> first_;  // for each lower vertex, the position in uses_ of its first edge
+  std::vector<std::size_t> first_;  // by vertex: position in uses_ of the first edge of which it is the lower end
   std::vector<Use> uses_;
   std::vector<EdgeLengths> lengths_;
 };

@@ -44,7 +44,7 @@ double value_of(const TetrahedronShape& s, ShapeMeasure which, std::size_t corne
   return s.solid_angle[corner];
 }
 
-/// Calls visit(measure, corner, value) for all values of a tetrahedron.
+/// Calls visit(measure, corner, value) for all measured values of a tetrahedron; four of them are solid angles.
 template <class Visit>
 void for_each_value(const TetrahedronShape& s, const Visit& visit) {
   for (std::size_t m = 0; m < n_shape_measures; ++m) {

@@ -28,7 +28,6 @@ struct ShapeSums {
   ShapeSums();
   void add(const TetrahedronShape& shape);
   void join(const ShapeSums& other);
-  /// Returns the statistics with shares, means, least and greatest values.
   ShapeStatistics statistics() const;
 };
 
@@ -37,11 +36,11 @@ class ShapeTable {
  public:
   ShapeTable(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra);
 
-  /// Measures the tetrahedra in `rows` and adds them to `sums`. Calls for disjoint rows may run concurrently.
+  /// Measures the tetrahedra listed in `rows` and adds to `sums`. Calls for disjoint lists may run concurrently.
   void measure(std::span<const Index> rows, ShapeSums& sums);
 
-  /// Returns the value below which a hundredth of the values of the tetrahedra in `rows` lie. Precondition: measure()
-  /// was called for these rows. O(n); few tetrahedra are measured again.
+  /// Returns the first percentile of the measure `which` over the tetrahedra listed in `rows`. Precondition: measure()
+  /// was called for them. O(n); few tetrahedra are measured again.
   double first_percentile(ShapeMeasure which, std::span<const Index> rows) const;
 
   /// Returns the tetrahedra whose least dihedral angle is below `angle` (degrees), and in any case the `n_least`
@@ -53,12 +52,13 @@ class ShapeTable {
  private:
   using Step = std::uint16_t;
   std::size_t values_a_row(ShapeMeasure which) const { return which == ShapeMeasure::solid_angle ? 4 : 1; }
-  /// Returns the 16-bit value of the given rank among the tetrahedra in `rows`, and the number of lower values.
+  /// Returns the step (0 to 65,535) of the value that has the given rank when the values of measure `which` are sorted
+  /// over the tetrahedra in `rows`, and the number of values in lower steps.
   std::pair<Step, std::size_t> step_at(std::size_t rank, ShapeMeasure which, std::span<const Index> rows) const;
 
   std::span<const Vec3> points_;
   std::span<const Tetrahedron> tetrahedra_;
-  std::array<std::vector<Step>, n_shape_measures> steps_;  // 16-bit steps by measure, tetrahedron and corner
+  std::array<std::vector<Step>, n_shape_measures> steps_;  // values as 16-bit steps: by measure, tetrahedron, corner
 };
 
 }  // namespace geomesh

@@ -18,9 +18,9 @@ double angle_to_sector(const Vec3& d, const Vec3& a, const Vec3& b) {
   const Vec3 n = cross(a, b);
   const double nn = dot(n, n);
   if (!(nn > 0)) return at_sides;
-  const Vec3 foot = d - (dot(d, n) / nn) * n;  // d projected to the plane of a and b
+  const Vec3 foot = d - (dot(d, n) / nn) * n;  // direction d projected to the plane of the directions a and b
   if (dot(cross(a, foot), n) < 0 || dot(cross(foot, b), n) < 0) return at_sides;
-  const double height = std::abs(dot(d, n)) / std::sqrt(nn);  // accurate even if d is normal to a and b
+  const double height = std::abs(dot(d, n)) / std::sqrt(nn);  // accurate even if d is normal to the plane of a and b
   return std::min(at_sides, std::atan2(height, length(foot)) * degrees_per_radian);
 }
 

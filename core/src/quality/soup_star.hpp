@@ -15,8 +15,8 @@ namespace geomesh {
 /// together as a patch, on the side of the patch or on a sharp feature edge of it.
 struct SoupEdge {
   VertexIndex other;
-  Index segment;  ///< the segment, if it is a listed one
-  Index face;     ///< a mesh face at the edge, or no_index if the edge runs through the interior of a region
+  Index segment;  ///< the segment listed in the input on which the edge lies, if any
+  Index face;     ///< a mesh face on a facet at the edge, or no_index if the edge is inside a region
   Index n_faces;  ///< number of constrained faces at the edge
 };
 
@@ -67,8 +67,8 @@ class SoupStars {
   const ConstrainedTetrahedralization& mesh_;
   std::span<const Index> facet_patch_;
   const InputCreases* creases_;
-  std::vector<std::vector<Index>> faces_at_;     // faces at each vertex
-  std::vector<std::vector<SoupEdge>> edges_at_;  // edges at each vertex, sorted by their other end
+  std::vector<std::vector<Index>> faces_at_;     // mesh faces on facets, by vertex
+  std::vector<std::vector<SoupEdge>> edges_at_;  // edges on facets and segments, by vertex, sorted by their other end
 };
 
 }  // namespace geomesh

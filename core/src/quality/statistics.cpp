@@ -38,7 +38,7 @@ std::vector<std::vector<Index>> rows_by_group(std::span<const Index> group, std:
   return rows;
 }
 
-/// Rows of one group that are measured as one task.
+/// Tetrahedra of one group (for statistics) that are measured as one task.
 struct Block {
   std::size_t group;
   std::span<const Index> rows;

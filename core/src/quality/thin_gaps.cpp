@@ -72,8 +72,8 @@ bool GapFinder::leaves_facet(const Way& way, const Vec3& step, const Vec3& oppos
   return false;
 }
 
-/// Finds a segment at v from which the path leads away at a large angle. The segment must be parallel to the facet with
-/// `normal` if that is given, and to the direction `parallel` if that is given.
+/// Finds a segment at vertex v to which the path, with unit direction `step`, leads at a large angle. The segment must
+/// be parallel to the facet with `normal` if that is given, and to the direction `parallel` if that is given.
 bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* normal, const Vec3* parallel,
                                Gap& found) const {
   for (const SoupEdge& e : stars_.edges(v)) {

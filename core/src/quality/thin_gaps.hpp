@@ -13,8 +13,8 @@ namespace geomesh {
 
 struct Gap {
   double width = std::numeric_limits<double>::infinity();
-  Index facet_a = no_index, facet_b = no_index;      ///< facets on the two sides of the gap
-  Index segment_a = no_index, segment_b = no_index;  ///< listed segments on the two sides of the gap
+  Index facet_a = no_index, facet_b = no_index;      ///< facets of the input on the two sides of the gap, if any
+  Index segment_a = no_index, segment_b = no_index;  ///< listed segments on the two sides of the gap, if any
 };
 
 /// An element spans a gap between two parts of the input if it has a vertex on each part and the parts face each other
@@ -36,10 +36,10 @@ class GapFinder {
   Gap narrowest(Index tetrahedron, double above) const;
 
  private:
-  /// A path from a vertex to the nearest point of a part at another vertex.
+  /// A path across the element, from one of its vertices to the nearest point of an input item at another vertex.
   struct Way {
     VertexIndex from, to;
-    Vec3 inside;  ///< centroid of the element; facets are seen from it
+    Vec3 inside;  ///< centroid of the element, which shows on which side of a facet the element lies
   };
   void to_facets(const Way& way, double above, Gap& best) const;
   void to_segments(const Way& way, double above, Gap& best) const;

@@ -57,8 +57,8 @@ Vec3 PreparedTriangle::closest_in_needle(const Vec3& p) const {
     const Vec3& from = corners_[i];
     if (!(dot(cross(corners_[(i + 1) % 3] - from, p - from), normal_) > 0)) return on_side;
   }
-  // A normal that rounding has rotated gives a wrong point if p is far away. The true nearest point is at most the
-  // width of the needle away from the side.
+  // If rounding has rotated a needle's normal, the projection is wrong for a distant p. The true nearest point is at
+  // most the width of the needle away from its side.
   const Vec3 foot = p - dot(normal_, p - on_side) * normal_;
   return dot(foot - on_side, foot - on_side) <= square_of_width_ ? foot : on_side;
 }

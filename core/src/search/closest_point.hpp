@@ -50,7 +50,7 @@ class PreparedTriangle {
   explicit PreparedTriangle(const std::array<Vec3, 3>& corners, double width_of_needle = 1e-5);
   const std::array<Vec3, 3>& corners() const { return corners_; }
   Vec3 closest_to(const Vec3& p) const;
-  /// Returns the unit normal; zero for a triangle without area.
+  /// Returns the unit normal of the triangle; zero if it has no area.
   const Vec3& normal() const { return normal_; }
 
  private:
@@ -68,7 +68,7 @@ class PreparedTriangle {
 struct ClosestPoint {
   double distance = std::numeric_limits<double>::infinity();
   Vec3 point;
-  Index item = no_index;  ///< the caller's id of the triangle or line segment
+  Index item = no_index;  ///< the caller's id of the triangle or line segment on which the point lies
 };
 
 /// Bounding-box trees, one for each group (the triangles of a patch, or the line segments of a class of curves). A line
@@ -87,12 +87,12 @@ class ClosestPointTrees {
   /// Returns the nearest item of the group within `limit`; the distance is infinite if there is none. O(log n) for
   /// limits of the size of an item.
   ClosestPoint closest(const Vec3& p, Index group, double limit = std::numeric_limits<double>::infinity()) const;
-  /// Calls visit(item) for the items of a group whose bounding boxes overlap the box, and for some more near it.
+  /// Calls visit(item) for the triangles or line segments of a group whose bounding boxes overlap `box`, and some more.
   template <class Visit>
   void for_each_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, [&](Index row) { visit(items_[row]); });
   }
-  /// Calls visit(row) for the items of a group near the box, where `row` is an item's row in items() and prepared().
+  /// Calls visit(row), with rows of items(), for the triangles or line segments of a group near the box.
   template <class Visit>
   void for_each_row_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, visit);

@@ -13,14 +13,14 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-constexpr std::size_t few = 24;      ///< a triangle with more items of the set near it is halved before it is cut
-constexpr std::size_t most_cut = 4;  ///< a piece is cut along the sides of one of this many nearest triangles
+constexpr std::size_t few = 24;      ///< a triangle with more of the set's triangles near it is halved before it is cut
+constexpr std::size_t most_cut = 4;  ///< number of nearest triangles along whose sides a piece of a triangle may be cut
 /// A triangle may be cut into pieces_besides pieces, and pieces_per_item more for each triangle of the set near it.
 constexpr std::size_t pieces_per_item = 8;
 constexpr std::size_t pieces_besides = 200;
 constexpr double least_piece =
-    1.0 / 64;  ///< pieces of a smaller radius, relative to the distance limit, are not halved
-/// corners of a piece that are nearer to a cutting plane than this share of its radius count as on the plane
+    1.0 / 64;  ///< pieces of a triangle with a smaller radius, as a share of the distance limit, are not halved
+/// corners of a piece of a triangle that are nearer to a cutting plane than this share of its radius count as on it
 constexpr double on_plane = 1e-9;
 
 double distance_to(const Vec3& p, const PreparedTriangle* t) { return distance(p, t->closest_to(p)); }
@@ -42,7 +42,7 @@ double radius_about(const Vec3& centre, const Points& points) {
 }
 
 struct Plane {
-  Vec3 point, normal;  ///< a point of the plane; the unit normal, towards the triangle whose side it passes
+  Vec3 point, normal;  ///< a point of the cutting plane; its unit normal, towards the triangle whose side lies in it
 };
 
 /// Returns planes perpendicular to a triangle through its sides (perpendicular to a line segment through its ends).
@@ -158,7 +158,7 @@ bool CoverProver::covers_large(const Corners& item) {
     look_at(centre, d);
     if (d + r <= limit_) return true;
     if (d > limit_) return fails_at(centre, d);
-    // One of the many triangles near the piece may be within the limit of all its corners, which proves the piece.
+    // The piece of a triangle is proven if a single triangle of the set is within the limit of all its corners.
     const bool is_small = r <= least_piece * limit_;
     const auto has_all = [&](const PreparedTriangle* other) {
       return std::all_of(item.begin(), item.end(), [&](const Vec3& p) { return distance_to(p, other) <= limit_; });

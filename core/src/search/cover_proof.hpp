@@ -19,12 +19,12 @@
 namespace geomesh::search {
 
 struct Cover {
-  /// True if the whole item is within the limit. Otherwise its point `place` is not, or the proof failed there.
+  /// True if the whole item (triangle or line segment) is within the distance limit; otherwise `place` may not be.
   bool is_proven = false;
-  /// Largest distance from the set of the examined points of the item: corners, midpoints of sides, centroids of
-  /// pieces.
+  /// Largest distance from the reference set of the points examined on the item: corners, midpoints of sides, centroids
+  /// of pieces.
   double farthest = 0;
-  Vec3 place;  ///< point at the largest distance; if nothing is proven, the point where the proof failed
+  Vec3 place;  ///< examined point at the largest distance; if nothing is proven, where the proof failed
 };
 
 /// Proves that triangles or line segments lie within a distance limit of a set of others; for one thread only. Callers
@@ -35,7 +35,6 @@ class CoverProver {
   CoverProver(const ClosestPointTrees& set, double limit, std::span<const std::uint8_t> open_edges = {})
       : set_(set), limit_(limit), open_edges_(open_edges) {}
 
-  /// Sets the largest distance from the set that later proofs allow.
   void set_limit(double limit) { limit_ = limit; }
 
   /// Tries to prove that `item` lies within the limit of a group of the set. A line segment has its last two corners
@@ -47,8 +46,8 @@ class CoverProver {
   using Polygon = std::vector<Vec3>;
   bool is_over_sheet(const Corners& item) const;
   bool covers_all(const Corners& item);
-  /// Halves a large item and searches the set again for each half, until few items of the set are near. The proof fails
-  /// if this takes too many halves.
+  /// Halves a large triangle and searches the set again for each half, until few of the set's triangles are near it.
+  /// The proof fails if this takes too many halves.
   bool covers_large(const Corners& item);
   /// Tries to prove that a convex piece lies within the distance limit of a set of triangles, given as rows of near_.
   bool covers(const Polygon& piece, std::vector<Index> rows);

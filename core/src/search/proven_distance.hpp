@@ -46,14 +46,14 @@ class DistanceProver {
  private:
   struct Spot {
     double distance;
-    Vec3 point;  ///< point of a triangle of the set that is nearest to a corner of the piece
+    Vec3 point;  ///< point on a triangle of the set, nearest to a corner of the piece to be proven
   };
-  /// A triangle of the set that may be near a piece, and its points nearest to the corners of that piece.
+  /// A triangle of the reference set near the piece to be proven, with its points nearest to the piece's corners.
   struct Candidate {
     Index row;
     std::array<Spot, 3> at;
   };
-  /// Rows in candidates_ of the triangles near one piece. Those near the half that is being examined follow them.
+  /// Rows in candidates_ of the triangles near a piece; rows of those near its half that is being examined follow.
   struct Range {
     std::size_t first, last;
   };
@@ -61,7 +61,7 @@ class DistanceProver {
   bool has_corner_beyond(Range range) const;
   bool by_one_triangle(Range range) const;
   bool by_two_triangles(Range range);
-  /// Returns a triangle of the set if the set is one smooth surface over all of the piece; otherwise no_index.
+  /// Returns a triangle of the set if it is one smooth surface over all of the piece to be proven, otherwise no_index.
   Index find_sheet(const Corners& piece, Range range) const;
   bool by_pair(const Candidate& x, const Candidate& y, std::size_t corner_at_y) const;
   Spot spot(const Vec3& p, Index row) const;
@@ -69,8 +69,8 @@ class DistanceProver {
   double limit_;
   std::span<const SheetTriangle> set_;
   std::vector<Candidate> candidates_;
-  std::vector<std::size_t> by_two_;  // triangles of the set within the limit of two corners of the piece
-  std::vector<Spot> centres_;        // for each candidate triangle, its point nearest to the middle of the longest edge
+  std::vector<std::size_t> by_two_;  // rows in candidates_ of triangles within the limit of two corners of the piece
+  std::vector<Spot> centres_;        // by candidate triangle, its point nearest to the middle of the longest edge
   std::size_t n_pieces_ = 0;
   Index sheet_row_ = no_index;
 };

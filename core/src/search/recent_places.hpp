@@ -24,7 +24,7 @@ class RecentPlaces {
     Vec3 place;
     double value = -1;  ///< function value at `place`; negative if none is stored
   };
-  /// Returns the function's value at p, stored or from value_at(last); `last` is the previous place with its value.
+  /// Returns the function's value at p: the stored one or value_at(last); `last` has the previous place and its value.
   template <class ValueAt>
   double at(const Vec3& p, const ValueAt& value_at) {
     const std::array bits{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),

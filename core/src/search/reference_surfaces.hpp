@@ -13,7 +13,7 @@
 
 namespace geomesh::search {
 
-/// The question whether all of a triangle or line segment is within a limit of a group, and its answer.
+/// The question whether all of a triangle or line segment is within a distance of a reference surface, and the answer.
 struct DistanceQuestion {
   Corners item;
   Index group;
@@ -37,7 +37,7 @@ class ReferenceSurfaces {
   /// at that point derives. The distance is infinite if there is no point within `limit`.
   virtual ClosestPoint closest(const Vec3& p, Index group,
                                double limit = std::numeric_limits<double>::infinity()) const = 0;
-  /// Returns the unit normal of the reference at its point nearest to p. `item` is the item of that point.
+  /// Returns the unit normal of the reference surface at its point nearest to p; `item` is the input facet there.
   virtual Vec3 normal(Index item, const Vec3& p) const = 0;
 
   /// Returns whether all of a triangle is proven to be within distance `limit` of the group. It is used for single

@@ -17,7 +17,7 @@ constexpr double smooth_cosine = 0.82;
 /// Cosine of the largest angle between the surface and the triangle F, 53 degrees. Two adjacent triangles near opposite
 /// normals of F would be inclined to each other by so much that their common edge would be open.
 constexpr double steep_cosine = 0.6;
-/// points within this share of F's longest edge from a side of F count as on the side
+/// points within this share of the longest edge of the triangle F to be proven from a side of F count as on the side
 constexpr double on_side = 1e-9;
 
 struct EdgeUse {
@@ -32,7 +32,7 @@ bool go_on_smoothly(const EdgeUse& x, const EdgeUse& y, std::span<const ClosestP
   const auto normal = [&](const EdgeUse& e) {
     return unit(cross(e.b - e.a, items[e.item].corners[(e.k + 2) % 3] - e.a));
   };
-  return dot(normal(x), normal(y)) <= -smooth_cosine;  // the triangles lie on opposite sides of the edge
+  return dot(normal(x), normal(y)) <= -smooth_cosine;  // smooth: the two triangles lie on opposite sides of their edge
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ bool SheetProof::is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_
   return false;
 }
 
-/// Returns whether a part of the segment p-q is inside triangle F by more than rounding errors.
+/// Returns whether the segment p-q, projected to triangle F, is partly inside F by more than rounding errors.
 bool SheetProof::has_within(const Point& p, const Point& q) const {
   double first = 0, last = 1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -93,7 +93,7 @@ bool SheetProof::has_within(const Point& p, const Point& q) const {
 
 Over SheetProof::judge(const SheetTriangle& t) {
   const auto& corners = t.triangle->corners();
-  // the part of the surface's triangle over F is found by cutting it at F's sides, from one array into the other
+  // The surface's triangle is cut at the sides of F, from one array into the other, down to its part over F.
   std::array<std::array<Point, most_corners>, 2> parts;
   if (is_beside(corners, parts[0])) return Over::nothing;
   for (std::size_t i = 0; i < 3; ++i) parts[0][i].height = dot(corners[i] - corners_[0], normal_);

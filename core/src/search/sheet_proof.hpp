@@ -30,20 +30,20 @@ std::vector<std::uint8_t> find_open_edges(std::span<const ClosestPointTrees::Ite
 
 /// Relation of one triangle of a surface to triangle F, which is to be proven within a distance limit of the surface.
 enum class Over : std::uint8_t {
-  nothing,  ///< projected along F's normal, the surface's triangle does not meet F
-  part,     ///< the triangle's part over F is within the limit, not steep, and has no open edge
-  border,   ///< the triangle's part over F is beyond the limit, too steep, or has an open edge
+  nothing,  ///< in projection along F's normal, the surface's triangle does not meet the triangle F to be proven
+  part,     ///< the surface triangle's part over the triangle to be proven is near, not steep, without open edge
+  border,   ///< the surface triangle's part over the triangle to be proven is too far or steep, or has an open edge
 };
 
 /// Proof that a triangle F is within a distance limit of a surface.
 class SheetProof {
  public:
-  /// Starts a proof that `triangle` (F) is within `limit` of a surface.
+  /// Starts a proof that `triangle`, called F, is within the distance `limit` of a surface.
   SheetProof(const std::array<Vec3, 3>& triangle, double limit);
-  /// Returns whether F has an area, without which nothing can be proven.
+  /// Returns whether the triangle to be proven has an area, without which nothing can be proven.
   bool is_possible() const { return is_possible_; }
   Over judge(const SheetTriangle& t);
-  /// Returns whether all of F is within the limit of the surface, if none of the surface's triangles was `border`.
+  /// Returns whether all of F (the triangle to be proven) is near the surface, if `judge` never returned `border`.
   bool is_proven() const { return has_seed_; }
 
  private:

@@ -37,7 +37,7 @@ class TriangleSurfaces final : public ReferenceSurfaces {
   struct Scratch {
     DistanceProver prover{0};
     std::vector<SheetTriangle> nearby;
-    std::vector<Index> rows;  // for each triangle in `nearby`, its row in trees_
+    std::vector<Index> rows;  // for each triangle in `nearby`, its row among the items of trees_
   };
   ClosestPointTrees trees_;
   std::vector<std::uint8_t> open_edges_;  // mask of open edges of each triangle (find_open_edges); empty for curves

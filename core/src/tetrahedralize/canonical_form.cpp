@@ -69,10 +69,10 @@ class TurnedLoops {
 
   std::size_t n_vertices() const { return turned_.size(); }
   bool is_reversed(Index f) const { return is_reversed_[f]; }
-  /// Returns the smallest vertex of the facet's outer loop.
+  /// Returns the vertex with the smallest index of the facet's outer loop.
   VertexIndex first(Index f) const { return turned_[plc_.loop_offsets[plc_.facet_loops[f]]]; }
   std::span<const VertexIndex> outer(Index f) const { return loop(plc_.facet_loops[f]); }
-  /// Returns the outer loop, followed by holes in ascending order.
+  /// Returns the outer loop of facet f, followed by its holes in ascending order.
   std::vector<std::span<const VertexIndex>> ordered_loops(Index f) const {
     std::vector<std::span<const VertexIndex>> loops;
     for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) loops.push_back(loop(l));

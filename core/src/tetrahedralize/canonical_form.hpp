@@ -21,9 +21,9 @@ struct CanonicalForm {
   ModelNames names;
 };
 
-/// Precondition: validate_plc finds no fault. Up to symmetries of the model, the form remains the same if vertices and
-/// facets are renumbered, loops rotated or reversed, axes permuted or mirrored, or coordinates scaled by a power of
-/// two. If the model is moved without rounding, it remains the same except for the position. O(n log n).
+/// Returns the canonical form of a complex in which validate_plc finds no fault. Up to symmetries of the model, it
+/// remains the same if vertices and facets are renumbered, loops rotated or reversed, axes permuted or mirrored, or
+/// coordinates scaled by a power of two. If the model is moved without rounding, only the position changes. O(n log n).
 CanonicalForm canonical_form(const PiecewiseLinearComplex& plc);
 
 /// Returns for each facet of the canonical form its row in plc.provenance_sets, where `plc` is the caller's complex.

@@ -49,7 +49,7 @@ class FrameChoice {
         for (std::size_t end = 0; end < 2; ++end) ends_[axis][end] += hash_from_end(plc_.points[v], axis, end == 1);
   }
 
-  /// Returns the frames in which axes and their directions ascend by signature: only one if all signatures differ.
+  /// Returns the frames in which axes, and their ends, ascend by the hashes in ends_: only one if all hashes differ.
   std::vector<AxisFrame> frames_by_ends() const {
     const auto key = [&](std::size_t axis) { return std::minmax(ends_[axis][0], ends_[axis][1]); };
     std::vector<AxisFrame> frames;

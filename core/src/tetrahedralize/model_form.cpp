@@ -22,8 +22,8 @@ AxisFrame compose(const AxisFrame& outer, const AxisFrame& inner) {
   return out;
 }
 
-/// Composes two index maps: `inner` into the complex with merged facets, `outer` from the unmerged complex to the
-/// caller's.
+/// Composes two maps of indices: `inner` leads to the complex with merged facets, `outer` from the complex before
+/// merging to the caller's.
 ModelNames compose(const ModelNames& outer, const ModelNames& inner, const MergedFacets& merged) {
   ModelNames out;
   out.frame = compose(outer.frame, inner.frame);
@@ -66,7 +66,7 @@ class MemberNaming {
       triangles.push_back({loop[0], loop[1], loop[2]});
     }
     const std::optional<FlatPatch> patch = FlatPatch::of(plc_.points, std::move(triangles));
-    GEOMESH_CHECK(patch);  // these triangles formed a valid patch when they were merged
+    GEOMESH_CHECK(patch);  // the triangles of a merged facet formed a valid patch before
     for (Face& face : faces) {
       const Index t = triangle_of(face, *patch);
       face.facet = members[t];

@@ -91,7 +91,7 @@ StartTriangulation RecoveryRun::start(const Attempt& attempt) {
 RecoveryOutcome RecoveryRun::recover() {
   CrossingsOf crossings(plc_);
   Attempt attempt = attempt_of(0, options_.recover, hard_parts_);
-  std::optional<Error> refusal;  // last error with an excerpt of the mesh or of invalid input, else the last one
+  std::optional<Error> refusal;  // last error that has a mesh excerpt or reports invalid input; else the last one
   for (unsigned n_made = 1;; ++n_made) {
     StartTriangulation from = n_made == 1 ? std::move(*first_start_) : start(attempt);
     ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model_.input_vertex.size());

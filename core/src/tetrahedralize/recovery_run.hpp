@@ -24,7 +24,7 @@ class RecoveryRun {
   RecoveryRun(const PiecewiseLinearComplex& plc, const ModelNames& names, const TetrahedralizeOptions& options,
               const RunContext& context, const ConformingStep& conform);
 
-  /// Makes the first triangulation (Cavalcanti and Mello 1999, section 2). May throw Error{invalid_input}.
+  /// Makes the triangulation that recovery starts from (Cavalcanti and Mello 1999). May throw Error{invalid_input}.
   void triangulate();
   /// Makes attempts at recovery (section 3) until one succeeds.
   RecoveryOutcome recover();
@@ -51,7 +51,7 @@ class RecoveryRun {
   RecoveryStatistics statistics_{};
   DelaunayStatistics delaunay_{};
   recover::HardPartsFirst hard_parts_{};
-  std::size_t n_without_double_ = 0;  ///< number of points without a double in their stars, over all attempts
+  std::size_t n_without_double_ = 0;  ///< number of points that no double in their stars can replace, over all attempts
   std::size_t n_decided_ = 0;         ///< number of orientations decided that involve exact places
 };
 

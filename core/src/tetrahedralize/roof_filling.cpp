@@ -21,11 +21,12 @@ enum class RoofSide { above, below };
 /// plane, on one side of the polygon. Triangles of both are oriented as seen from that side.
 class RoofOnSide {
  public:
-  /// `star`: the cells at the roof's inner points, on this side; `flat`: the positions of these points in the plane.
+  /// `star`: cells at the inner points of the roof (the surface to be lifted) on one side; `flat`: these points'
+  /// places.
   RoofOnSide(Mesh& mesh, const RoofedPart& part, RoofSide side, std::vector<Index> star, const std::vector<Vec3>& flat)
       : mesh_(mesh), part_(part), side_(side), star_(std::move(star)), flat_(flat), inner_(part.inner) {}
 
-  /// Gives the cells on this side copies of the roof's inner points, because the other side uses the original points.
+  /// Gives the cells on one side of the roof copies of its inner points, because those on the other keep the originals.
   void take_own_points() {
     for (std::size_t i = 0; i < inner_.size(); ++i) inner_[i] = add_point(flat_[i]);
     for (const Index t : star_)
@@ -52,7 +53,7 @@ class RoofOnSide {
     }
   }
 
-  /// Fills the space between polygon and roof; returns the rows of the new cells at the polygon's triangles.
+  /// Fills the space between the polygon and the lifted roof; returns the rows of new cells at the polygon's triangles.
   std::vector<Index> fill() {
     std::vector<Index> rows;
     for (const Triangle& t : part_.triangles) {
@@ -65,7 +66,7 @@ class RoofOnSide {
 
  private:
   static constexpr double least_part =
-      1e-3;  ///< least height of the point under the roof, relative to the roof's height
+      1e-3;  ///< least height of the point between polygon and lifted roof, relative to the roof's height
 
   VertexIndex add_point(const Vec3& p) {
     mesh_.points.push_back(p);
@@ -117,11 +118,11 @@ class RoofOnSide {
   RoofSide side_;
   std::vector<Index> star_;
   const std::vector<Vec3>& flat_;
-  std::vector<VertexIndex> inner_;  ///< for each point of part_.inner, the roof's point on this side of the plane
-  VertexIndex centre_ = no_vertex;  ///< point between plane and roof, a vertex of all cells there
+  std::vector<VertexIndex> inner_;  ///< for each point of part_.inner, its copy in the roof on one side of the plane
+  VertexIndex centre_ = no_vertex;  ///< point between polygon and lifted roof, a vertex of all cells between them
 };
 
-/// Cells at the inner points of a roof, and which of them are neighbours across faces that are not in the roof.
+/// Cells at the inner points of a roof (a triangulated plane polygon), and pairs that share a face off the roof.
 class RoofStar {
  public:
   RoofStar(const Mesh& mesh, const RoofedPart& part, const std::vector<Index>& cells) {
@@ -141,7 +142,7 @@ class RoofStar {
     std::sort(pairs_.begin(), pairs_.end());
   }
 
-  /// Returns the cells at the roof's inner points on one side. `out` are initially those with a face of the roof.
+  /// Returns the cells at inner points of a triangulated polygon on one side; `out` first has those at its triangles.
   std::vector<Index> from(std::vector<Index> out) const {
     std::set<Index> found(out.begin(), out.end());
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -152,7 +153,7 @@ class RoofStar {
   }
 
  private:
-  std::vector<std::array<Index, 2>> pairs_;  ///< cells of the star that share a face, each pair in both orders, sorted
+  std::vector<std::array<Index, 2>> pairs_;  ///< pairs of cells that share a face off the roof, in both orders, sorted
 };
 
 }  // namespace

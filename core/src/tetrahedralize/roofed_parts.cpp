@@ -58,7 +58,7 @@ void RoofedParts::find_parts(std::span<const Index> provenance) {
       std::vector<Vec3> corners;
       for (const VertexIndex v : part.border) corners.push_back(given_.points[v]);
       const std::optional<Roof> roof = roof_over(corners, axis_for);
-      // The roofs on both sides of a part must need fewer points than the part has inner edges.
+      // The two lifted triangulations of a part must need fewer points than the part has inner edges.
       if (!roof || 2 * (roof->inner.size() + 1) >= part.left_out.size()) continue;
       RoofedPart& out = parts_.emplace_back();
       for (const Index t : part.triangles) {
@@ -107,7 +107,7 @@ void RoofedParts::write_facets() {
 
 bool RoofedParts::fill(Mesh& mesh) const {
   std::vector<VertexIndex> row(plc_.points.size(), no_vertex);
-  std::vector<Index> part_of(mesh.points.size(), no_index);  // by point: the part inside whose roof it is
+  std::vector<Index> part_of(mesh.points.size(), no_index);  // by mesh point: the part that it lies inside
   for (VertexIndex v = 0; v < mesh.points.size(); ++v)
     if (mesh.input_vertex[v] != no_vertex) row[mesh.input_vertex[v]] = v;
   for (Index k = 0; k < parts_.size(); ++k)

@@ -19,20 +19,20 @@ namespace geomesh {
 
 /// A convex part of a plane patch, and a Delaunay triangulation of it with inner points (its roof, later lifted off).
 struct RoofedPart {
-  std::vector<Index> facets;        ///< rows in the given complex of the facets that make up the part
-  std::vector<Triangle> as_given;   ///< corners of these facets, in the orientation of the complex
-  std::vector<Triangle> triangles;  ///< corners of these facets, in the orientation of the part
-  std::vector<bool> is_turned;      ///< whether each of these facets is oriented oppositely to the part
-  std::vector<VertexIndex> inner;   ///< the points of the roof that are inside the part, ascending
-  std::vector<double> rise;         ///< relative heights by which the points of `inner` are lifted
+  std::vector<Index> facets;        ///< rows, in the given complex, of the facets that make up the part of the patch
+  std::vector<Triangle> as_given;   ///< corners of the part's facets, in the orientation of the complex
+  std::vector<Triangle> triangles;  ///< corners of the part's facets, all with the same orientation
+  std::vector<bool> is_turned;      ///< whether each facet of the part is oriented oppositely in the complex
+  std::vector<VertexIndex> inner;   ///< points that the triangulation adds inside the part, ascending
+  std::vector<double> rise;         ///< relative heights by which the points inside the part are lifted off its plane
   std::vector<Triangle> roof;
 };
 
 class RoofedParts {
  public:
-  /// Chooses convex parts of plane patches that get roofs on both sides. Returns nothing if the patches are nearly
-  /// Delaunay, or if no part's roofs need fewer points than the part has inner edges. Keeps a reference to `plc`, a
-  /// valid complex. `provenance` has an entry per facet. O(n log n).
+  /// Chooses convex parts of plane patches that get roofs: triangulations with inner points, lifted off on both sides.
+  /// Returns nothing if the patches are nearly Delaunay, or if no part's roofs need fewer points than the part has
+  /// inner edges. Keeps a reference to `plc`, a valid complex. `provenance` has an entry per facet. O(n log n).
   static std::optional<RoofedParts> of(const PiecewiseLinearComplex& plc, std::span<const Index> provenance);
 
   /// Returns the given complex with each part's triangles replaced by those of its roof, still in the plane.
@@ -50,7 +50,7 @@ class RoofedParts {
   const PiecewiseLinearComplex& given_;
   PiecewiseLinearComplex plc_;
   std::vector<RoofedPart> parts_;
-  /// For each facet of plc_ its row among the given facets; for a facet in the roof of part k, n_given_facets + k.
+  /// For each facet of plc_, its row among the given facets; for one of the roof of part k, n_given_facets + k.
   std::vector<Index> facet_;
 };
 

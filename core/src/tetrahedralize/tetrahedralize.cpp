@@ -53,7 +53,7 @@ ConstrainedTetrahedralization classify_regions(RecoveryRun& run, ConstrainedMesh
 struct MeshingOutcome {
   std::optional<ConstrainedTetrahedralization> mesh;
   std::optional<Error> refusal;
-  std::vector<Index> given_up;  ///< conforming mode: facets that were given up, if there is no mesh
+  std::vector<Index> given_up;  ///< facets that conforming mode could not recover, if there is no mesh
 };
 
 /// Runs the stages of Cavalcanti and Mello 1999 in their order: triangulation (section 2), recovery (section 3),
@@ -89,7 +89,7 @@ ConstrainedTetrahedralization mesh_or_throw(MeshingOutcome&& outcome) {
   return std::move(*outcome.mesh);
 }
 
-/// Meshes with no points on facets and with roofs over patches of needles (roofed_parts.hpp), or returns nothing.
+/// Meshes without points on facets, with triangulations lifted off patches of needles (roofed_parts.hpp), or fails.
 std::optional<ConstrainedTetrahedralization> mesh_with_roofs(const PiecewiseLinearComplex& plc,
                                                              const TetrahedralizeOptions& options,
                                                              const RunContext& context) {

@@ -32,9 +32,9 @@ void check_box(const Box3& box) {
       throw Error(ErrorKind::invalid_input, "the box is empty: each of its minima must be less than the maximum");
 }
 
-/// Snapping distance of a round of mending. Overlaps that remain after rounding are a few ulps thin, so new points snap
-/// to old ones nearby, from farther away in each round. Surfaces that nearly coincide are merged within the distance of
-/// the first round.
+/// Snapping distance of a round that repairs overlaps left by rounding. These are a few ulps thin, so new points snap
+/// to existing ones nearby, over a larger distance in each round. Surfaces that nearly coincide are merged within the
+/// distance of the first round.
 double mending_distance(double ulp, unsigned round) {
   return ulp * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
@@ -128,7 +128,7 @@ std::vector<std::uint8_t> all_facets(const Complex& complex) {
   return std::vector<std::uint8_t>(complex.facets.size(), 1);
 }
 
-/// Returns the sides of the box or the volume. Throws if the box is empty.
+/// Returns the sides of the model's box or volume as surfaces. Throws if the box is empty.
 std::vector<TriangulatedSurface> sides_of(const ArrangementOptions& options) {
   if (!options.box) return options.volume;
   check_box(*options.box);
@@ -174,7 +174,7 @@ std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& comp
 
 constexpr unsigned most_snaps = 6;  // in one round
 
-/// Merges everything within the mending distance among the facets that still cross, touch or overlap others.
+/// Merges facets that still cross, touch or overlap others after rounding with all that is within mending_distance().
 SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned round,
                             const std::optional<Box3>& bounds) {
   if (contacts.empty()) return {};

@@ -124,7 +124,7 @@ void InputJoiner::apply_tolerance(MergingBook& book, std::vector<std::string>& w
   take(book, joined, now);
 }
 
-/// Repeats each step of merging until nothing changes.
+/// Repeats each step of merging surfaces until nothing changes.
 void InputJoiner::join_ends_and_sides(MergingBook& book) {
   std::vector<VertexIndex> now;
   const auto repeat = [&](auto join) {

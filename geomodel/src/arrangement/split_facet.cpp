@@ -21,7 +21,7 @@ class FacetSplitter {
         frame_(frame),
         mesh_(no_exact_points_, frame.i, frame.j, [](int, int) -> PlanarPoint { throw ConstraintsCross{}; }) {}
 
-  /// Inserts the vertices in the triangulation. Returns false if two border vertices coincide in the projection.
+  /// Inserts a facet's vertices in the triangulation. Returns false if two border vertices coincide in the projection.
   bool add_vertices(const std::vector<VertexIndex>& border, const std::vector<VertexIndex>& inside) {
     for (const VertexIndex v : border)
       if (!rows_.contains(v) && !add(v)) return false;
@@ -38,9 +38,9 @@ class FacetSplitter {
       if (rows_.contains(a) && rows_.contains(b)) mesh_.insert_constraint(rows_.at(a), rows_.at(b), 0);
   }
 
-  /// Returns whether each edge of the closed walk exists as a whole. In projection along an axis, vertices can be
-  /// collinear in another order than on their edge. The walk then runs back and forth, and the space between its edges
-  /// would be lost.
+  /// Returns whether no edge of the closed walk has another vertex of the walk on it. In projection along an axis,
+  /// vertices can be collinear in another order than on their edge in space. The walk then runs back and forth, and the
+  /// space between its edges would be lost.
   bool has_edges_of(const std::vector<VertexIndex>& walk) const {
     for (std::size_t k = 0; k < walk.size(); ++k) {
       const std::vector<int> chain = mesh_.chain(rows_.at(walk[k]), rows_.at(walk[(k + 1) % walk.size()]));
@@ -52,7 +52,7 @@ class FacetSplitter {
 
   /// Returns the triangles on the left of the closed walk along `border`.
   std::vector<Triangle> inside_of(const std::vector<VertexIndex>& border) const {
-    std::map<std::pair<int, int>, int> walls;  // number of times that the walk traverses each directed edge
+    std::map<std::pair<int, int>, int> walls;  // number of times that the closed walk traverses each directed edge
     for (std::size_t k = 0; k < border.size(); ++k) {
       const std::vector<int> chain = mesh_.chain(rows_.at(border[k]), rows_.at(border[(k + 1) % border.size()]));
       for (std::size_t s = 0; s + 1 < chain.size(); ++s) ++walls[{chain[s], chain[s + 1]}];
@@ -202,7 +202,7 @@ std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points
   };
   if (auto triangles = split_as_seen(projection_of(points[facet[0]], points[facet[1]], points[facet[2]])))
     return triangles;
-  // Vertices inserted in the edges of a needle are beside its plane, so its border is better seen along an axis.
+  // A needle's inserted vertices lie beside its plane, so its border is better seen in projection along an axis.
   for (const Projection& frame : frames_of_walk(points, walk))
     if (auto triangles = split_as_seen(frame)) return triangles;
   return std::nullopt;

@@ -121,7 +121,6 @@ bool can_check_contract(const CheckedFiles& files) {
   return !files.mesh.file.region.empty() && all_known(files.set_faces);
 }
 
-/// Checks the mesh, faces and curves files against each other.
 void check_files(const CheckRequest& request, const CheckedFiles& files, const Specification& specification,
                  CheckResult& result) {
   const CheckedFaces checked(files.mesh, specification, &files.faces, files.set_faces);
@@ -205,7 +204,6 @@ void adopt_told_tolerance(const CheckRequest& request, const CheckedMesh& mesh, 
   result.checks_done.emplace_back(text);
 }
 
-/// Checks the mesh against the project after closing its fault zones.
 void check_closed(const CheckRequest& request, const ClosedFiles& closed, const Specification& specification,
                   CheckResult& result) {
   CheckedMesh mesh{closed.mesh, closed.mesh.tetrahedra, {}, true};
@@ -260,7 +258,6 @@ GivenFiles read_files(const std::filesystem::path& mesh) {
   return given;
 }
 
-/// Merges both sides of split surfaces, if the files distinguish these sides.
 void join_sides(const Specification& specification, GivenFiles& given, CheckResult& result) {
   const std::vector<Vec3>& points = given.mesh.points;
   if (specification.output.split.empty() || !std::all_of(points.begin(), points.end(), is_finite)) return;
@@ -295,7 +292,6 @@ void check_specification(const CheckRequest& request, const CheckedMesh& mesh, c
   if (!specification.output.fault_zones.empty()) check_with_zones(request, files, specification, result);
 }
 
-/// Returns the wave velocities that the project's attributes give to regions.
 Velocities velocities_of(const CheckRequest& request) {
   Velocities velocities;
   if (request.project.empty()) return velocities;

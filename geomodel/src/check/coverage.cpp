@@ -82,7 +82,7 @@ class CoverageChecker : public CheckedFaces {
   std::map<Index, BoxTree> surface_trees_;
   std::vector<std::vector<std::array<Vec3, 2>>> borders_;
   std::vector<std::pair<VertexIndex, VertexIndex>>
-      clip_edges_;  ///< mesh edges of the faces on box sides and on bodies that cut other surfaces, sorted
+      clip_edges_;  ///< edges of mesh faces that lie on box sides or on bodies that cut other surfaces, sorted
 };
 
 void CoverageChecker::collect_clip_edges() {
@@ -182,7 +182,7 @@ void CoverageChecker::check_bodies(CheckResult& result) {
       const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree,
                                                   corner(t, 0), corner(t, 1), corner(t, 2));
       if (winding && *winding != 0 &&
-          // If the centroid is near the body, rounding may have put it on either side.
+          // If the face's centroid is that near the body's surface, rounding may have put it inside.
           !is_near(body, centroid(mesh_, t), tolerance_)) {
         inside.add(f, centroid(mesh_, t));
         break;
@@ -290,7 +290,8 @@ void CoverageChecker::check_triangles(CheckResult& result) {
   std::set<std::string> short_of;
   for (Index s = 0; s < specification_.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = specification_.surfaces[s];
-    // The triangles of this surface that mesh faces do not cover, collected if rules may remove whole pieces of it.
+    // Triangles of this surface that mesh faces do not cover completely, if rules may remove connected pieces of it as
+    // a whole.
     std::optional<PiecesWithoutFaces> uncovered;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const Triangle& t = surface.triangles[i];

@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// A face as seen from one tetrahedron.
+/// A face of one tetrahedron; inner faces of the mesh occur twice, once for each side.
 struct HalfFace {
   Triangle key;
   Index cell;

@@ -43,7 +43,8 @@ std::map<Edge, VertexIndex> midpoints_of_edges(const CheckedMesh& mesh, CheckRes
   return of_edge;
 }
 
-/// Bezier control points of a second-order tetrahedron's map, multiplied by two so that no division is needed.
+/// Bezier control points of the map from a reference tetrahedron to a second-order one, multiplied by two so that no
+/// division is needed.
 template <class Number>
 struct Controls {
   std::array<std::array<std::array<Number, 3>, 4>, 4> at;
@@ -59,7 +60,8 @@ struct Controls {
     }
   }
 
-  /// Returns one Bezier coefficient of the Jacobian determinant, for the corners i, j and l, multiplied by 6 and 8.
+  /// Returns the Bezier coefficient of the Jacobian determinant that belongs to the corners i, j and l of the
+  /// tetrahedron, multiplied by 48.
   Number coefficient(std::size_t i, std::size_t j, std::size_t l) const {
     const std::size_t corner[3] = {i, j, l};
     static constexpr std::size_t orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -134,7 +136,7 @@ void check_midpoints_within(const CheckedFaces& checked, const Allowed& allowed,
   for (Index f = 0; f < checked.candidates().size(); ++f)
     for (const std::int32_t id : checked.set_of(f)) {
       const Index row = checked.surface_of(id);
-      if (row == no_index) continue;  // the surface is a side of the model, which has no specification
+      if (row == no_index) continue;  // sides of the box have no specification
       auto& set = sets[row];
       if (!set) set.emplace(triangles_of(checked.specification().surfaces[row]));
       const Triangle& t = checked.candidates()[f];

@@ -65,7 +65,8 @@ void check_regions(const CheckedMesh& mesh, bool contract, CheckResult& result) 
 
 namespace {
 
-/// Distance in long doubles, because its rounding error must be smaller than that of the points' coordinates.
+/// Returns the distance in long doubles, because its rounding error must be smaller than that of the points'
+/// coordinates.
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   using Real = long double;
   const Real dx = Real{b.x} - a.x, dy = Real{b.y} - a.y, px = Real{p.x} - a.x, py = Real{p.y} - a.y;
@@ -76,7 +77,7 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
 /// Returns whether p is, in the map, inside the polygon of the volume's vertical sides, or closer than `room` to a
 /// side.
 bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
-  const std::size_t n = volume.sides.size() - 2;  // the last two sides of a volume are zmin and zmax
+  const std::size_t n = volume.sides.size() - 2;  // the last two sides of a model volume are its bottom and top
   bool inside = false, near = false;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 &a = volume.sides[i].points[0], &b = volume.sides[i].points[1];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A bound on the effect of rounding on lengths.
+/// Returns a bound on the effect of rounding of coordinates on lengths.
 #pragma once
 
 namespace geomesh::geomodel {

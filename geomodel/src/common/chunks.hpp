@@ -31,7 +31,7 @@ class Chunks {
  public:
   explicit Chunks(std::size_t n) : n_(n) {}
   std::size_t size() const { return (n_ + rows - 1) / rows; }
-  /// Calls task(k, begin, end) for each chunk k, which has the indices in [begin, end).
+  /// Calls task(k, begin, end) for each chunk of the indices [0, n): chunk k has those in [begin, end).
   template <class Task>
   void for_each(unsigned threads, const Task& task) const {
     for_each_task(size(), threads, [&](std::size_t k) { task(k, k * rows, std::min(n_, (k + 1) * rows)); });

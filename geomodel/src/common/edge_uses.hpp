@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// One triangle at an edge with the ends a < b.
+/// A triangle at an edge of the surface whose ends are the vertices a < b.
 struct EdgeUse {
   VertexIndex a, b;
   Index facet;
@@ -42,7 +42,8 @@ inline std::vector<EdgeUse> sorted_edge_uses(const std::vector<ModelMesh::Face>&
   return sorted_edge_uses(faces.size(), [&](Index f) -> const Triangle& { return faces[f].vertices; });
 }
 
-/// Calls visit(entries) once for each edge with its entries, in the order of sorted_edge_uses.
+/// Calls visit(entries) once for each edge, with its entries in `uses`: one for each triangle at the edge.
+/// Precondition: `uses` is sorted by edge, as by sorted_edge_uses.
 template <class F>
 void for_each_edge(const std::vector<EdgeUse>& uses, F&& visit) {
   for (std::size_t begin = 0; begin < uses.size();) {

@@ -34,7 +34,6 @@ void remove_in_handler(const char* file) noexcept;
 
 /// Loads a shared library from its file; returns null and sets `reason` on failure.
 void* open_library(const std::filesystem::path& file, std::string& reason);
-/// Returns the function of a loaded library with this name, or null if there is none.
 void* function_of_library(void* library, const char* name, std::string& reason);
 void close_library(void* library);
 /// Returns the path of the program or library that contains this code; empty if the system does not report it.

@@ -22,7 +22,7 @@ std::size_t memory_of_machine() {
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   std::size_t bytes = pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) : 0;
   std::size_t of_container = 0;
-  // Without a memory limit, this file of the control group has the text "max" instead of a number.
+  // without a memory limit, the container's file contains the text "max" instead of a number
   if (std::ifstream("/sys/fs/cgroup/memory.max") >> of_container)
     bytes = bytes == 0 ? of_container : std::min(bytes, of_container);
   return bytes;
@@ -86,8 +86,8 @@ fs::path file_of_code(void (*code)()) {
   std::error_code error;
   const fs::path named = fs::weakly_canonical(info.dli_fname, error);
   if (fs::exists(named, error) && named.has_parent_path()) return named;
-  return fs::read_symlink("/proc/self/exe",
-                          error);  // The main program is reported under the name of its call, which need not be a path.
+  // For the main program, dladdr returns the command that started it, which need not be a path.
+  return fs::read_symlink("/proc/self/exe", error);
 }
 
 }  // namespace geomesh::geomodel

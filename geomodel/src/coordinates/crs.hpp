@@ -37,7 +37,7 @@ HorizontalCrs parse_crs(std::string_view text);
 /// Returns what is wrong with the name of a coordinate system in a project; empty if nothing is.
 std::string complaint_about_crs(std::string_view text);
 
-/// Returns whether two coordinate systems are the same, apart from their datum.
+/// Returns whether two horizontal coordinate systems are the same, apart from their datum.
 bool same_system(const HorizontalCrs& a, const HorizontalCrs& b);
 
 /// Converts a point to longitude and latitude in degrees. Throws Error{invalid_input} if the point is outside the

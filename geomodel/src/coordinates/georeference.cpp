@@ -47,7 +47,7 @@ std::string own_unit(const SourceFrame& frame, bool z) {
   return is_named(unit) ? unit : std::string();
 }
 
-/// Returns whether coordinates can only be degrees, because projected systems have no places so near their origin.
+/// Returns whether a box's x and y can only be degrees, because projected systems have no places so near their origin.
 bool looks_like_degrees(const Box3& b) { return b.min.x >= -360 && b.max.x <= 360 && b.min.y >= -90 && b.max.y <= 90; }
 
 }  // namespace
@@ -182,7 +182,8 @@ void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes
     warnings.push_back(input.name + ": the file says z is " + (contents.frame.depth ? "depth" : "elevation") +
                        "; taken as " + (depth ? "depth" : "elevation") + " as the project says");
   }
-  // The reader has applied the file's own units; `scale` completes the conversion to metres with elevation up.
+  // The reader of the file has applied the units that the file names. `scale` has the factors from there to the units
+  // of the project's keys, with elevation up.
   AxisScale scale{metres_of(xy_unit) / metres_of(own_xy), metres_of(z_unit) / metres_of(own_z)};
   if (is_geographic(from)) scale.xy = 1;
   if (depth != contents.frame.depth) scale.z = -scale.z;
@@ -223,7 +224,7 @@ Box3 ModelFrame::box(const Box3& box, std::string& note) const {
   Box3 placed{point(box.min), point(box.max)};
   if (depth_) std::swap(placed.min.z, placed.max.z);
   if (given_.kind == Kind::geographic) {
-    constexpr int n_samples = 64;  // samples, because sides of a geographic box are curved on the map
+    constexpr int n_samples = 64;  // points along each side: sides of a box in degrees curve on the map
     for (int i = 0; i <= n_samples; ++i) {
       const double t = static_cast<double>(i) / n_samples;
       const double x = box.min.x + t * (box.max.x - box.min.x), y = box.min.y + t * (box.max.y - box.min.y);

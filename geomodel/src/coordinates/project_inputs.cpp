@@ -368,7 +368,7 @@ void cut_polygons(const Project& project, Read&& read, ProjectInputs& inputs) {
   }
 }
 
-/// Keeps in `gridded` only those horizons that are used as they were interpolated from their points.
+/// Keeps in `gridded` (horizons interpolated from points) only those that are used exactly as interpolated.
 void keep_unchanged(const Project& project, ProjectInputs& inputs) {
   const auto is_changed = [&](const SurfaceSpec& spec) {
     return spec.smooth > 0 || spec.resample > 0 || !spec.below.empty() || !spec.fault_polygons.file.empty() ||

@@ -22,7 +22,7 @@ namespace geomesh::geomodel {
 struct ProjectInputs {
   ModelFrame frame;
   std::vector<TriangulatedSurface>
-      /// Surfaces in the project's order. Surfaces were made from points, and `smooth` and `resample` were applied.
+      /// Surfaces in the project's order, after interpolation of those from points, `smooth` and `resample`.
       surfaces{};
   std::vector<Polyline> wells{};
   std::vector<FittedTop> tops{};  ///< well tops to which horizons have been moved
@@ -39,7 +39,8 @@ struct ProjectInputs {
 
   /// Adds the faults that pass through a horizon's fault polygons to its throw_at, if the project gives no list.
   void add_throws(ModelRules& rules) const;
-  /// Completes SurfaceRules::field_parts: triangles and unproven places of each scalar field, with places in the frame.
+  /// Completes SurfaceRules::field_parts: which triangles of a surface come from which scalar field, and what could not
+  /// be proven about them at which places. The places are converted to the coordinates of the model.
   void complete_field_parts(ModelRules& rules) const;
 };
 

@@ -36,7 +36,8 @@ class SharedFiles {
     if (is_first) known->second = read_surface_file(spec.file, spec.source.reading);
     const FileContents& all = known->second;
     FileContents part = object_named(all, spec.source.object.empty() ? spec.name : spec.source.object);
-    // If no object has this name, all are returned: a single object needs no name, and a wrong name is rejected later.
+    // If no object in the file has the requested name, all its objects are returned: the only object of a file needs no
+    // name, and a wrong name is rejected later.
     if (part.surfaces.empty() && part.point_sets.empty()) part = all;
     if (is_first) part.warnings = all.warnings, part.notes = all.notes;
     if (!is_first) part.warnings.clear();
@@ -73,7 +74,7 @@ const SourceSpec* source_of(const SurfaceSpec& spec, ReadFiles& files) {
 
 ReadFiles read_files(const Project& project, const RunContext& context) {
   ReadFiles files;
-  // Reserves room for all contents, because `sources` has pointers to them that reallocation would invalidate.
+  // Reserves memory for all files' contents first, because reallocation would invalidate pointers in `sources`.
   files.contents.reserve(project.surfaces.size() + project.wells.size());
   SharedFiles shared(project);
   LevelSurfaces level_sets = make_level_surfaces(project);

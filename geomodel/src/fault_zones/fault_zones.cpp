@@ -45,7 +45,7 @@ class ZoneOpener {
     mesh_.prisms.clear();
     mesh_.cohesive_layers.clear();
     mesh_.before_zones = mesh_.points;
-    if (!mesh.before_zones.empty())  // keeps the positions from before the zones that an earlier call opened
+    if (!mesh.before_zones.empty())  // keeps positions from before fault zones that an earlier call opened
       for (std::size_t v = 0; v < mesh_.points.size(); ++v)
         mesh_.before_zones[v] = mesh.before_zones[split.original[v]];
     for (std::size_t v = mesh.points.size(); v < mesh_.points.size(); ++v) mesh_.point_kind[v] = 3;
@@ -71,8 +71,8 @@ class ZoneOpener {
   }
 
  private:
-  /// Moves the midpoints of curved edges with the walls. Edges with both ends on walls become straight, like those of
-  /// the elements between the walls. The midpoint of any other curved edge moves by the mean of its ends' movements.
+  /// Moves the midpoints of curved edges with the walls of fault zones. Edges with both ends on walls become straight,
+  /// like those of the elements between the walls. Midpoints of others move by the mean of their ends' moves.
   void move_curved_edges(const std::vector<Vec3>& before) {
     const auto way = [&](VertexIndex v) { return mesh_.points[v] - before[v]; };
     std::erase_if(mesh_.curved_edges, [&](const CurvedEdge& edge) {
@@ -81,7 +81,7 @@ class ZoneOpener {
     for (CurvedEdge& edge : mesh_.curved_edges) edge.middle = edge.middle + 0.5 * (way(edge.a) + way(edge.b));
   }
   /// Joins faces that were split but have the same three nodes on both sides, as at an end of the fault. There is no
-  /// zone between them, and the face exists once.
+  /// fault zone between them, and the face exists once.
   void join_closed_faces() {
     std::map<Triangle, std::size_t> first;
     std::set<std::size_t> second;
@@ -180,10 +180,10 @@ class ZoneOpener {
                 {{}, {}, {}, {p}});
   }
 
-  /// Adds the faces of zones on sides of the model, at which the fault ends.
+  /// Adds the faces that fault zones have on sides of the model at which their faults end.
   void add_side_faces() {
     struct ColumnEdge {
-      std::size_t a, b;  ///< rows of the columns of nodes at the edge's ends, in the order of the prism's corners
+      std::size_t a, b;  ///< rows of the node columns across the fault zone at the edge's ends, in the prism's order
       std::size_t zone;
       unsigned uses = 0;
     };
@@ -194,7 +194,8 @@ class ZoneOpener {
         if (columns_.columns[a].is_closed() && columns_.columns[b].is_closed()) continue;
         ++sides.try_emplace({std::min(a, b), std::max(a, b)}, ColumnEdge{a, b, prism.zone}).first->second.uses;
       }
-    std::map<std::pair<VertexIndex, VertexIndex>, std::size_t> outer;  // for each edge: a face on the model's boundary
+    // For each border edge of a fault: a face at the edge on the model's boundary.
+    std::map<std::pair<VertexIndex, VertexIndex>, std::size_t> outer;
     for (const auto& [key, side] : sides)
       if (side.uses == 1) outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)] = no_face;
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
@@ -207,7 +208,8 @@ class ZoneOpener {
     for (const auto& [key, side] : sides) {
       if (side.uses != 1) continue;
       const std::size_t f = outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)];
-      // The edge has a boundary face: else all tetrahedra around it would be connected, and its nodes not doubled.
+      // Each such border edge of a fault zone has a face on the model's boundary: otherwise all tetrahedra around the
+      // edge would be connected, and its nodes would not have been duplicated.
       GEOMESH_CHECK(f != no_face);
       for (unsigned k = 0; k < zones_[side.zone].layers; ++k) add_side(side.a, side.b, k, side.zone, mesh_.faces[f]);
     }
@@ -227,7 +229,7 @@ class ZoneOpener {
     }
   }
 
-  /// Sets the regions of faces on walls of zones. Normals point into the zone, because it has the highest region id.
+  /// Sets the regions of faces on walls of fault zones. Normals point into a zone: it has the highest region id.
   void close_walls() {
     for (auto& face : mesh_.faces) {
       if (!is_wall(face)) continue;
@@ -238,7 +240,7 @@ class ZoneOpener {
   }
   bool is_wall(const ModelMesh::Face& face) const { return columns_.zone_of_wall.contains(in_order(face.vertices)); }
 
-  /// Continues wells across zones: a well that meets the fault in a node follows the new nodes across the zone there.
+  /// Continues wells across fault zones: a well that meets the fault in a node follows the new nodes across the zone.
   void carry_wells_across() {
     std::map<VertexIndex, std::set<std::int32_t>> wells_at;
     for (const NamedCurve& curve : mesh_.curves)
@@ -265,7 +267,7 @@ class ZoneOpener {
   ModelMesh mesh_;
   ZoneColumns columns_;
   std::vector<ModelMesh::Face> added_;
-  EdgeSet edges_;  // edges of the faces on walls of zones, and of the faces of zones on sides of the model
+  EdgeSet edges_;  // edges of the faces on walls of fault zones, and of the zones' faces on sides of the model
 };
 
 }  // namespace

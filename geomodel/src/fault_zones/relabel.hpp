@@ -18,11 +18,11 @@ void renumber_ids(ModelMesh& mesh);
 /// exactly two faces with the same surfaces meet.
 void number_patches(ModelMesh& mesh);
 
-/// Set of edges by their two nodes, the smaller one first.
+/// Set of mesh edges, each stored as its two node numbers in ascending order.
 using EdgeSet = std::set<std::pair<VertexIndex, VertexIndex>>;
 
-/// Renames those of the edges that are intersections, by the surfaces of the faces around each. Wells and fault tips
-/// are kept, and curves left without an edge are removed.
+/// Renames the curves of those of these mesh edges that are intersections, by the surfaces of the faces around each
+/// edge. Wells and fault tips are kept, and curves left without an edge are removed.
 void name_intersections(ModelMesh& mesh, const EdgeSet& edges);
 
 /// Computes the number of tetrahedra and the volume of each region, the area of each surface, and the length of each

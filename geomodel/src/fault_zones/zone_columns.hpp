@@ -17,7 +17,8 @@ namespace geomesh::geomodel {
 struct ZoneColumn {
   VertexIndex minus, plus;
   std::size_t zone;  ///< row of the first fault zone that contains the column of nodes
-  /// Nodes across the zone from the minus to the plus side, one more than layers; only one if both sides share it.
+  /// Nodes of the column across the fault zone, from the minus to the plus side: one more than the zone has layers, or
+  /// a single one if both sides share it.
   std::vector<VertexIndex> nodes;
   bool is_closed() const { return minus == plus; }
 };
@@ -36,13 +37,13 @@ struct ZoneColumns {
   std::map<Triangle, std::size_t> zone_of_wall;
 };
 
-/// Finds the columns of fault zones in a mesh that was split along the faults. Throws Error{cannot_mesh} if more than
-/// two sides meet in a node, if zones of different thickness or number of layers share a node, or if a fault is
+/// Finds the columns of nodes across fault zones in a mesh that was split along the faults. Throws Error{cannot_mesh}
+/// if more than two sides meet in a node, if zones that share a node differ in thickness or layers, or if a fault is
 /// one-sided.
 ZoneColumns columns_of(const SplitMesh& split, const std::vector<FaultZone>& zones);
 
-/// Adds the nodes across a zone between the two ends of each column of nodes, evenly on a straight line. Precondition:
-/// the ends were moved to the walls before.
+/// Adds the nodes across a fault zone between the two ends of each column of nodes, evenly on a straight line.
+/// Precondition: the ends were moved to the walls before.
 void fill_columns(ModelMesh& mesh, ZoneColumns& zone, const std::vector<FaultZone>& zones);
 
 }  // namespace geomesh::geomodel

@@ -139,7 +139,7 @@ class WallMover {
 
   Vec3 place(const ZoneColumn& column, const WallNormal& normal, VertexIndex v, double sign) const {
     const double half = zones_[column.zone].thickness / 2 * normal.weight / normal.cosine;
-    Vec3 along = normal.direction;  // the normal of the fault, projected onto the surfaces that the node follows
+    Vec3 along = normal.direction;  // the fault's normal, projected onto the other surfaces on which the node remains
     std::vector<Vec3> across;       // orthonormal
     for (const auto& [key, guide] : guides_.at(v)) {
       if (!(norm(guide.area) > 0)) continue;
@@ -155,7 +155,7 @@ class WallMover {
       along = tried;
       across.push_back(n);
     }
-    // Scales `along` so that its component along the normal of the fault is `half`.
+    // Scales the movement `along` so that its component along the fault's normal is half of the zone's thickness.
     return mesh_.points[v] + (sign * half / dot(along, normal.direction)) * along;
   }
 

@@ -9,8 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// Moves the nodes of each open column apart. Precondition: `mesh` is split along the faults, with both nodes of a
-/// column in one place.
+/// Moves the two end nodes of each open column (the copies of a node on the two sides of a fault) apart. Precondition:
+/// `mesh` is split along the faults, with both nodes of a column in one place.
 ///
 /// The planes of the fault's faces at a node move by half of the thickness on average, so the node itself moves farther
 /// where these planes are inclined to each other. The node takes the shortest such movement that remains in the

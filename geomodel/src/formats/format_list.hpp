@@ -15,9 +15,9 @@ Format gmsh41_binary_format();      // gmsh41.cpp
 Format gmsh22_format();             // gmsh22.cpp
 Format gmsh22_binary_format();      // gmsh22.cpp
 Format abaqus_format();             // abaqus_inp.cpp
-Format exodus_format();             // code in exodus/, in a module with netCDF that modules/at_need.cpp loads
-Format med_format();                // code in modules/med.cpp, in a module with libmedc that modules/at_need.cpp loads
-Format xdmf_format();               // code in modules/xdmf.cpp, in a module with HDF5 that modules/at_need.cpp loads
+Format exodus_format();             // exodus/, modules/at_need.cpp
+Format med_format();                // modules/med.cpp, modules/at_need.cpp
+Format xdmf_format();               // modules/xdmf.cpp, modules/at_need.cpp
 Format ogs_format();                // opengeosys.cpp
 Format openfoam_format();           // openfoam.cpp
 Format mfem_format();               // mfem.cpp

@@ -48,8 +48,7 @@ class FractureMesh {
     for (ModelMesh::Face face : whole_.faces) {
       const std::vector<std::int32_t>& set = made_.surface_sets[static_cast<std::size_t>(face.surface_set)];
       if (set.empty()) continue;
-      // A face that lies on a side of the box and on a fault has the surface id of the side; here it gets that of the
-      // fault.
+      // A face on a fault and on a side of the box has the side's surface id. A mesh of faults alone needs the fault's.
       if (std::find(set.begin(), set.end(), face.surface) == set.end()) {
         face.surface = set.front();
         face.source_triangle = -1;

@@ -12,9 +12,9 @@
 
 namespace geomesh::geomodel {
 
-/// Writes the files of one part with the names and contents that write_format would give them. With the first part, it
-/// also writes the files that all parts share. Formats are vtu, exodus, msh and msh-binary; throws Error{usage} for
-/// others, and if numbers exceed what the format can store.
+/// Writes the files of one part of a mesh with the names and contents that write_format would give them. With the first
+/// part, it also writes the files that all parts share. Formats are vtu, exodus, msh and msh-binary; throws
+/// Error{usage} for others, and if numbers exceed what the format can store.
 std::vector<std::filesystem::path> write_given_part(const ModelMesh& mesh, const MeshParts& parts, std::int32_t number,
                                                     const std::string& format, const std::filesystem::path& stem,
                                                     const WriteOptions& options);

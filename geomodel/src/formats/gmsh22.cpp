@@ -23,7 +23,7 @@ void write_nodes(OutputText& out, Encoding encoding, const SolverMesh& mesh) {
   out << (encoding == Encoding::binary ? "\n" : "") << "$EndNodes\n";
 }
 
-/// Writes each element once for each of its groups: the first tag is the group, the second the block of cells.
+/// Writes each element once for each of its Gmsh physical groups: the first tag is the group, the second the block.
 void write_elements(OutputText& out, Encoding encoding, const SolverMesh& mesh, const GmshGroups& groups) {
   std::size_t n = 0;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) n += mesh.blocks[b].n_cells() * groups.of_block[b].size();
@@ -56,8 +56,9 @@ void write_elements(OutputText& out, Encoding encoding, const SolverMesh& mesh, 
   out << (encoding == Encoding::binary ? "\n" : "") << "$EndElements\n";
 }
 
-/// Writes the nodes and elements of a part with their numbers in the whole mesh. The tags of an element are its group,
-/// its block of cells, the part that owns it (from 1), and, as negative numbers, the parts in which it is a ghost.
+/// Writes the nodes and elements of a mesh part to a Gmsh file with their numbers in the whole mesh. The tags of an
+/// element are its physical group, its block of cells, the part that owns it (from 1), and, as negative numbers, the
+/// parts in which it is a ghost.
 void write_part(OutputText& out, const SolverMesh& whole, const MeshParts& parts, const SolverPart& part,
                 const GmshGroups& groups) {
   out << "$Nodes\n" << part.mesh.n_nodes() << "\n";
@@ -67,7 +68,7 @@ void write_part(OutputText& out, const SolverMesh& whole, const MeshParts& parts
   std::size_t n = 0;
   for (std::size_t b = 0; b < whole.blocks.size(); ++b) n += part.cells[b].size() * groups.of_block[b].size();
   out << n << "\n";
-  std::size_t first = 1;  // number in the whole mesh of the first element of a block and group
+  std::size_t first = 1;  // number in the whole mesh of the first element of a block of cells and physical group
   for (std::size_t b = 0; b < whole.blocks.size(); ++b) {
     const CellBlock& block = part.mesh.blocks[b];
     for (const std::int32_t tag : groups.of_block[b]) {

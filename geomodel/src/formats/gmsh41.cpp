@@ -17,7 +17,7 @@ namespace {
 struct Entity {
   int dimension;
   std::size_t block;
-  /// Numbers of the face blocks that bound a volume, negative if their normal points inwards.
+  /// Numbers of the blocks of faces (Gmsh surfaces) that bound a volume, negative if their normal points inwards.
   std::vector<std::int32_t> boundary;
   std::vector<VertexIndex> owned;
 };

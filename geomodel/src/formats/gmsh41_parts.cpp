@@ -11,14 +11,15 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// A Gmsh entity of one part of a mesh, with its dimension and number. Its cells are rows of a block of the part.
+/// A Gmsh entity of one part of a mesh, with its dimension and number. Its cells are rows of a block of this part.
 struct PartEntity {
   int dimension;
   std::int32_t tag;
   std::size_t block = 0;
   bool is_ghost = false;
-  std::vector<std::pair<std::size_t, std::size_t>> cells;  ///< block of each cell, and row in that block
-  std::vector<VertexIndex> owned;  ///< the nodes that the entity owns, by their rows in the part
+  /// For each cell of the Gmsh entity: its block of cells, and its row in the block.
+  std::vector<std::pair<std::size_t, std::size_t>> cells;
+  std::vector<VertexIndex> owned;  ///< rows, in the mesh part, of the nodes that belong to this Gmsh entity
 };
 
 class PartWriter {
@@ -234,7 +235,7 @@ class PartWriter {
   const GmshGroups& groups_;
   std::int32_t own_, first_tag_ = 0;
   std::size_t last_element_ = 0;
-  std::vector<std::size_t> first_element_;  // for each block: number in the whole mesh of its first cell
+  std::vector<std::size_t> first_element_;  // for each block of cells: number, in the whole mesh, of its first cell
   std::vector<PartEntity> entities_;
   PartEntity ghost_{3, 0, 0, true, {}, {}};
 };

@@ -26,7 +26,7 @@ class GmshNumbers {
     real(p.y);
     real(p.z);
   }
-  /// Ends a line in text files; writes nothing in binary files.
+  /// Ends a line in Gmsh text files; writes nothing in binary files.
   void line() {
     if (!binary_) out_ << "\n";
     at_start_ = true;

@@ -21,10 +21,11 @@ namespace {
 constexpr std::size_t no_label = SIZE_MAX;
 
 struct FoamFace {
-  Triangle vertices;             ///< corners of the face; its normal points out of the owner cell
-  std::size_t owner, neighbour;  ///< rows of the cells on both sides; `neighbour` is no_neighbour on the boundary
+  Triangle vertices;  ///< corners of the face; its normal points out of the owner cell
+  /// Rows of the two cells beside the face; `neighbour` is no_neighbour if the face is on the mesh boundary.
+  std::size_t owner, neighbour;
   std::size_t label = no_label;
-  bool flipped = false;  ///< whether the surface's normal points to the owner cell
+  bool flipped = false;  ///< whether the normal of the face's surface points to the owner cell
 };
 
 /// All faces in OpenFOAM's order: inner faces by owner, then by neighbour; boundary faces by label, then by owner.
@@ -65,7 +66,7 @@ class FoamFaces {
 
   template <class F>
   void for_each_inner(F&& f) const {
-    // Neighbours that have a higher number than the cell, each with the number of the common face.
+    // Neighbours of one cell that have higher numbers than this cell, each with the number (0 to 3) of the common face.
     std::array<std::pair<std::uint32_t, unsigned>, 4> later;
     std::size_t n = 0;
     for_each_face([&](const Tetrahedron& v, std::size_t cell, unsigned i) {
@@ -94,7 +95,7 @@ class FoamFaces {
   struct Label {
     std::uint32_t code, label : 31, flipped : 1;
   };
-  /// Calls `f(vertices of the cell, cell, face)` for each face of each cell.
+  /// Calls `f(vertices of the cell, cell, face)` for each of the four faces of each tetrahedron.
   template <class F>
   void for_each_face(F&& f) const {
     std::size_t cell = 0;
@@ -135,7 +136,7 @@ class FoamFaces {
   std::vector<TetrahedronRows> pieces_;
   std::vector<std::size_t> first_cells_;  // by piece
   std::vector<Neighbours> across_;
-  std::vector<Label> labels_;  // labels of the faces on surfaces, by face number
+  std::vector<Label> labels_;  // surfaces of those mesh faces that lie on one, sorted by face number
   std::vector<OuterFace> boundary_;
   std::size_t n_inner_ = 0;
 };
@@ -225,7 +226,7 @@ class FoamCase {
       if (patch.label != no_label) note_group("patch", patch.label);
   }
   void write_cell_zones() {
-    std::vector<std::size_t> regions, first;  // labels of the regions, and the number of the first cell of each region
+    std::vector<std::size_t> regions, first;  // for each region: its row in mesh_.labels, and its first cell's number
     std::size_t cell = 0;
     for (std::size_t l = 0; l < mesh_.labels.size(); ++l) {
       if (mesh_.labels[l].dimension != 3) continue;

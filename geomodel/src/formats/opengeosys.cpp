@@ -35,10 +35,10 @@ std::uint8_t vtk_type(const CellBlock& block) {
   return 13;
 }
 
-/// A grid of cells from several blocks, with points of its own. The data of the cells are not copied.
+/// A VTU grid of the cells of several blocks, with points of its own. The data of the cells are not copied.
 class Grid {
  public:
-  /// Makes a grid of the cells of a group. A grid of solids has all points of the mesh.
+  /// Makes a VTU grid of the cells of a group. A grid of volume cells has all points of the mesh.
   Grid(const SolverMesh& mesh, const CellGroup& group) : mesh_(mesh), has_all_points_(group.dimension == 3) {
     if (!has_all_points_) points_ = nodes_of(mesh, group);
     for (const std::size_t b : group.blocks) {
@@ -51,11 +51,11 @@ class Grid {
   std::size_t n_points() const { return has_all_points_ ? mesh_.n_nodes() : points_.size(); }
   std::size_t n_cells() const { return n_cells_; }
   std::size_t n_entries() const { return n_entries_; }
-  /// Returns the row in the mesh of a point of the grid.
+  /// Converts the number of a point in the VTU grid to its row in the mesh.
   std::size_t row(std::size_t point) const { return has_all_points_ ? point : points_[point]; }
   const CellBlock& block(std::size_t cell) const { return *part(cell).block; }
   std::size_t row_in_block(std::size_t cell) const { return cell - part(cell).first_cell; }
-  /// Returns the VTK offset of a cell, which is the end of its nodes.
+  /// Returns the VTK offset of a cell: the end of its nodes in the list of all cells' nodes.
   std::size_t end(std::size_t cell) const {
     const Part& at = part(cell);
     return at.first_entry + (cell - at.first_cell + 1) * at.block->nodes_per_cell;
@@ -80,7 +80,7 @@ class Grid {
   }
   const SolverMesh& mesh_;
   bool has_all_points_;
-  std::vector<VertexIndex> points_;  // row in the mesh of each point of the grid
+  std::vector<VertexIndex> points_;  // for each point of the VTU grid: its row in the mesh
   std::vector<Part> parts_;
   std::size_t n_cells_ = 0, n_entries_ = 0;
 };
@@ -105,7 +105,7 @@ VtkDocument document_of(const SolverMesh& mesh, const Grid& grid) {
   return document;
 }
 
-/// Writes all solids, sorted by region id, with all points of the mesh.
+/// Writes all volume cells, sorted by region id, with all points of the mesh.
 void write_bulk(const SolverMesh& mesh, Compression compression, const std::filesystem::path& file) {
   CellGroup all{0, 3, "", {}, {}};
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
@@ -145,7 +145,7 @@ void write_subset(const SolverMesh& mesh, const CellGroup& group, Compression co
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem) {
   SolverMesh mesh = make_solver_mesh(model, options);
-  // This format does not need the mesh row of each cell, and these rows take a quarter of the memory of the mesh.
+  // OpenGeoSys files are written without the rows of cells in the mesh, which take a quarter of the memory of the mesh.
   for (CellBlock& block : mesh.blocks) block.rows = {};
   WrittenFiles written;
   const std::filesystem::path bulk = stem.string() + ".ogs.vtu";

@@ -37,7 +37,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
   const std::filesystem::path grid = stem.string() + ".ugi";
   write_output_text(grid, [&](OutputText& out) { write_grid(out, mesh); });
   written.add(grid);
-  std::vector<std::size_t> first(mesh.blocks.size(), 1);  // number of the first cell of each block
+  std::vector<std::size_t> first(mesh.blocks.size(), 1);  // number of the first cell of each block of cells
   for (std::size_t b = 1; b < mesh.blocks.size(); ++b)
     first[b] = first[b - 1] + (dimension_of(mesh.blocks[b - 1].shape) == 3 ? mesh.blocks[b - 1].n_cells() : 0);
   for (const CellGroup& group : mesh.groups) {

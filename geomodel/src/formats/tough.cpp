@@ -45,7 +45,7 @@ class Ten {
  public:
   explicit Ten(double value) {
     std::fill_n(text_, columns, ' ');
-    // With nine digits, a negative sign or a leading "0." makes the number too long for its column of ten characters,
+    // With nine digits, a negative sign or a leading "0." makes a number too long for a TOUGH field of ten characters,
     // so fewer digits are tried first.
     for (int digits = 9 - (std::signbit(value) ? 1 : 0) - (std::abs(value) < 1 ? 1 : 0); digits > 0;) {
       char buffer[32];

@@ -40,7 +40,7 @@ struct Line {
   std::size_t first = 0, second = 0;  ///< rows of the two fractures that cross in the line
 };
 
-/// Part of a line, as an interval of its parameter.
+/// Part of the line in which two fractures cross, as an interval of the line's parameter.
 struct Interval {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   void add(double at) {
@@ -49,8 +49,8 @@ struct Interval {
   }
 };
 
-/// Returns the interval, along the direction, in which a plane cuts a surface. For a polygon that is not convex, it
-/// reaches from the first cut to the last.
+/// Returns the interval of positions, along a direction, at which a plane cuts a surface. For a polygon that is not
+/// convex, it reaches from the first cut to the last.
 Interval cut(const TriangulatedSurface& s, const Plane& plane, const Vec3& direction) {
   Interval found;
   for (const Triangle& t : s.triangles)

@@ -83,9 +83,9 @@ double volume_about_disc(double radius, double half_diagonal) {
   throw Error(ErrorKind::usage, "fractures: " + text + " (family " + family.name + ")");
 }
 
-/// Rejects a family at once if generating it would fail after millions of discs. Every disc whose centre lies in the
-/// box meets the box, so at least p32 V / A discs are expected for a box of volume V and a mean disc area A. If centres
-/// are generated in a volume W, each disc adds V / W of its area on average.
+/// Rejects a family of discs at once if generating it would fail after millions of discs. Every disc whose centre lies
+/// in the box meets the box, so at least p32 V / A discs are expected for a box of volume V, a mean disc area A and an
+/// area p32 of discs per volume. If centres are generated in a volume W, each disc adds V / W of its area on average.
 void require_drawable(const FractureFamily& family, const Box3& box) {
   const Vec3 size = box.max - box.min;
   const double volume = size.x * size.y * size.z, r = family.greatest_radius;

@@ -25,7 +25,6 @@ struct Wanted {
   std::string expected() const { return positive ? noun + " above zero" : "a finite " + noun; }
 };
 
-/// Parses four numbers from a line; returns nothing if there are not four.
 std::optional<std::array<double, 4>> four_numbers(std::string_view line) {
   const Separation separation = sniff_separation(line);
   const auto fields = separation.split(line);

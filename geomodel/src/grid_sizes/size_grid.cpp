@@ -38,7 +38,7 @@ bool SizeGrid::make_lattice() {
     for (const Vec3& p : points_) axes_[k].push_back(p[k]);
     std::sort(axes_[k].begin(), axes_[k].end());
     axes_[k].erase(std::unique(axes_[k].begin(), axes_[k].end()), axes_[k].end());
-    if (axes_[k].size() > points_.size() / n) return false;  // the lattice would have more nodes than there are points
+    if (axes_[k].size() > points_.size() / n) return false;  // too few points for a lattice with all these coordinates
     n *= axes_[k].size();
   }
   if (n != points_.size()) return false;
@@ -50,7 +50,7 @@ bool SizeGrid::make_lattice() {
       const auto at = std::lower_bound(axes_[k].begin(), axes_[k].end(), points_[row][k]) - axes_[k].begin();
       node = node * axes_[k].size() + static_cast<std::size_t>(at);
     }
-    if (!std::isnan(at_node[node])) return false;  // two points are at one lattice node, so another node has no point
+    if (!std::isnan(at_node[node])) return false;  // two points coincide, so some lattice node has no point
     at_node[node] = sizes_[row];
   }
   lattice_ = std::move(at_node);
@@ -91,7 +91,7 @@ double SizeGrid::weighted(const Vec3& p) const {
   if (nearest[0].squared_distance == 0) return sizes_[nearest[0].row];
   double sum = 0, weights = 0;
   for (const Near& n : nearest) {
-    const double w = nearest[0].squared_distance / n.squared_distance;  // at most 1, so that weights cannot overflow
+    const double w = nearest[0].squared_distance / n.squared_distance;  // the weight: at most 1, so it cannot overflow
     sum += w * sizes_[n.row];
     weights += w;
   }

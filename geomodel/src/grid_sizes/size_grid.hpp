@@ -17,7 +17,8 @@ namespace geomesh::geomodel {
 /// ones, weighted by the inverse squared distance (Shepard 1968). Outside the lattice the nearest size counts.
 class SizeGrid {
  public:
-  /// Precondition: there are as many sizes as points, and at least one. If points coincide, the first one counts.
+  /// Each point has one size. Precondition: there is at least one point. If points coincide, the size of the first one
+  /// counts.
   SizeGrid(std::vector<Vec3> points, std::vector<double> sizes);
 
   double at(const Vec3& p) const;
@@ -38,7 +39,7 @@ class SizeGrid {
 
   std::vector<Vec3> points_;
   std::vector<double> sizes_;
-  std::array<std::vector<double>, 3> axes_;  ///< coordinates of the lattice's nodes along each axis, ascending
+  std::array<std::vector<double>, 3> axes_;  ///< by axis: coordinates of the nodes of the lattice, ascending
   std::vector<double> lattice_;  ///< size at each node of the lattice, x fastest; empty if there is no lattice
   std::vector<Index> order_;     ///< k-d tree of points: the median of a range is in its middle, and axes alternate
 };
@@ -51,7 +52,8 @@ class SizeGrid {
 /// positive.
 SizeGrid read_size_grid(const std::filesystem::path& file);
 
-/// Reads any finite numbers at points, in the formats of read_size_grid: lines of x y z value, or the given array.
+/// Reads numbers at points, which need not be positive, in the formats of read_size_grid: lines of x y z value, or a
+/// VTK file with the given array.
 SizeGrid read_value_grid(const std::filesystem::path& file, const std::string& array);
 
 /// If the settings name a background file of target sizes, reads it into base.background. `origin` was subtracted from

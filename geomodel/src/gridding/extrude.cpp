@@ -98,7 +98,7 @@ class SectionText {
   std::size_t place_ = 0, height_ = 1;
   std::optional<std::size_t> id_;
   bool is_depth_ = false;
-  std::string at_id_, heading_;  ///< id and heading of the polyline that is being read
+  std::string at_id_, heading_;  ///< id and heading line of the polyline that is being read
   std::vector<Vec3> points_;
   std::vector<Polyline> found_;
 };
@@ -146,8 +146,8 @@ TriangulatedSurface extrude_lines(const std::vector<Polyline>& lines, const Extr
     const bool closed = closes || (corners.size() > 3 && corners.front() == corners.back());
     if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
     if (corners.size() < (closed ? 3u : 2u)) continue;
-    // Closed lines are made counter-clockwise in the section, with the axis pointing away from the viewer if it is y,
-    // so that normals point outward.
+    // Closed lines become counter-clockwise as seen with the axis of extrusion pointing away from the viewer, so that
+    // the normals of the extruded surface point outward.
     if (closed && (turning(corners, along) > 0) == (axis == 0)) std::reverse(corners.begin(), corners.end());
     const auto first = static_cast<VertexIndex>(made.points.size()), n = static_cast<VertexIndex>(corners.size());
     for (const double end : {spec.from, spec.to})

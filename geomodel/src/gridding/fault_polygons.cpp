@@ -16,12 +16,12 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double separating = 999;  // x and y of a line that separates two polygons in Irap and CPS files
-constexpr int n_levels = 9;         // number of heights at which faults are searched in a polygon
-constexpr int n_places = 64;        // number of samples on the contour of a fault triangle at one height
+constexpr int n_levels = 9;         // number of heights at which faults inside a fault polygon are searched
+constexpr int n_places = 64;  // number of sampled points on the line in which a horizontal plane cuts a fault triangle
 // A fault counts as passing through a polygon if its length in the polygon is at least this share of the longest one.
 constexpr double share_of_longest = 0.25;
-constexpr double most_of_horizon = 0.5;  // share of a horizon's area in fault polygons that causes a warning
-constexpr double wide_open = 0.25;  // gap between a polygon's ends, as a share of its length, that causes a warning
+constexpr double most_of_horizon = 0.5;  // if fault polygons contain more than this share of a horizon's area, warn
+constexpr double wide_open = 0.25;  // if a fault polygon's ends are farther apart than this share of its length, warn
 
 Vec2 in_map(const Vec3& p) { return {p.x, p.y}; }
 
@@ -98,7 +98,6 @@ class PolygonText {
   std::vector<Polyline> found_;
 };
 
-/// One fault polygon in the map.
 class MapPolygon {
  public:
   explicit MapPolygon(const Polyline& line) {
@@ -114,7 +113,6 @@ class MapPolygon {
   const Box3& bounds() const { return bounds_; }
   Vec3 place() const { return 0.5 * (bounds_.min + bounds_.max); }
 
-  /// Returns whether p is inside the polygon, by counting the crossings of a ray from p.
   bool holds(const Vec2& p) const {
     if (p.x < bounds_.min.x || p.x > bounds_.max.x || p.y < bounds_.min.y || p.y > bounds_.max.y) return false;
     bool inside = false;
@@ -141,7 +139,6 @@ bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return orient2d(a, b, c) != orient2d(a, b, d) && orient2d(c, d, a) != orient2d(c, d, b);
 }
 
-/// A horizon projected onto the map.
 class MapHorizon {
  public:
   explicit MapHorizon(const TriangulatedSurface& s) : s_(s), tree_(boxes_of(s)) {}
@@ -164,7 +161,6 @@ class MapHorizon {
     return met;
   }
 
-  /// Returns the least and greatest height of the given triangles.
   std::pair<double, double> heights(const std::set<Index>& triangles) const {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Index t : triangles)
@@ -180,7 +176,7 @@ class MapHorizon {
       for (const VertexIndex v : s.triangles[t]) boxes[t].add({s.points[v].x, s.points[v].y, 0});
     return boxes;
   }
-  /// Returns whether the segment a b crosses triangle t in the map; an end inside the triangle counts as crossing.
+  /// Returns whether the segment a b crosses the horizon's triangle t in the map; an end inside t counts as crossing.
   bool crosses(Index t, const Vec2& a, const Vec2& b) const {
     const Triangle& v = s_.triangles[t];
     int n_left = 0, n_right = 0;
@@ -195,7 +191,7 @@ class MapHorizon {
   arrangement::BoxTree tree_;
 };
 
-/// Returns the length of the fault's contour at the height `level` inside the polygon.
+/// Returns the length of the line at which a fault has the height `level` inside the fault polygon.
 double length_within(const MapPolygon& polygon, const TriangulatedSurface& fault, double level) {
   double length = 0;
   for (const Triangle& t : fault.triangles) {
@@ -236,7 +232,7 @@ std::set<Index> faults_in(const MapPolygon& polygon, const std::pair<double, dou
   return found;
 }
 
-/// Warnings of one kind about fault polygons: the number of polygons, and the position of the first.
+/// Fault polygons that one kind of warning concerns: their number, and the position of the first.
 struct Told {
   std::size_t n = 0;
   Vec3 place;

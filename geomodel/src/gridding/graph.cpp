@@ -78,7 +78,8 @@ std::optional<double> TriangleFinder::height(double u, double v) const {
     if (whole == 0) continue;
     const double s = area(u - p.x, v - p.y, r.x - p.x, r.y - p.y) / whole,
                  w = area(q.x - p.x, q.y - p.y, u - p.x, v - p.y) / whole;
-    // Relative slack, so that a point on an edge belongs to a triangle of the edge whatever the direction of rounding.
+    // Relative slack, with which a point on an edge is found in a triangle of this edge whatever the direction of
+    // rounding.
     constexpr double slack = 1e-12;
     if (s < -slack || w < -slack || s + w > 1 + slack) continue;
     return p.z + s * (q.z - p.z) + w * (r.z - p.z);

@@ -28,12 +28,12 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
   if (n <= 1) return s;
   TriangulatedSurface fine;
   fine.points = s.points;
-  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;  // new points on edges, by ends (ascending) and step
+  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;  // new points by edge (ascending ends) and step along it
   const auto add = [&](const Vec3& p) {
     fine.points.push_back(p);
     return static_cast<VertexIndex>(fine.points.size() - 1);
   };
-  // Returns the point after k of n steps from a to b.
+  // Returns point k of the n equal steps from vertex a to b.
   const auto between = [&](VertexIndex a, VertexIndex b, std::size_t k) {
     if (k == 0) return a;
     if (k == n) return b;
@@ -44,7 +44,7 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
     return at->second;
   };
   for (const auto& [a, b, c] : s.triangles) {
-    std::vector<std::vector<VertexIndex>> rows;  // rows of new points parallel to the edge bc, from corner a to bc
+    std::vector<std::vector<VertexIndex>> rows;  // new points of a triangle abc in rows parallel to bc, beginning at a
     for (std::size_t i = 0; i <= n; ++i) {
       std::vector<VertexIndex>& row = rows.emplace_back();
       for (std::size_t j = 0; j <= i; ++j) {
@@ -77,7 +77,6 @@ std::size_t parts_of_sides(const TriangulatedSurface& s, double step) {
   return static_cast<std::size_t>(std::ceil(longest / step));
 }
 
-/// The fault blocks of a model whose horizons have not been made yet.
 class FaultBlocks {
  public:
   FaultBlocks(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules)
@@ -95,7 +94,8 @@ class FaultBlocks {
   }
 
  private:
-  /// Returns the faults after continuing them. Bodies are left out, because they displace no horizon.
+  /// Returns the model's faults, continued to the surfaces at which they end. Bodies are left out, because they
+  /// displace no horizon.
   static BuiltSurfaces faults_of(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
     BuiltSurfaces built;
     built.surfaces = surfaces;
@@ -104,7 +104,7 @@ class FaultBlocks {
     built.rows.part_of_triangle.resize(surfaces.size());
     built.rows.block_of_part.resize(surfaces.size());
     built.rows.continued_to.resize(surfaces.size());
-    std::vector<std::string> notes, warnings;  // dropped, because the run reports the same when it continues faults
+    std::vector<std::string> notes, warnings;  // messages on continuing faults; the run gives them later
     continue_faults(built, rules, {notes, warnings});
     return built;
   }
@@ -172,7 +172,7 @@ class BlockSurfaces {
     }
   }
 
-  /// Adds the triangles of a surface that lie in the given block. Parts outside of the model are kept, because all
+  /// Adds those triangles of the surface that lie in the given fault block, also outside of the model, because all
   /// surfaces are clipped later.
   void add(const TriangulatedSurface& sheet, Index block) {
     const TriangulatedSurface fine = divided(sheet, parts_of_sides(sheet, step_));
@@ -212,7 +212,7 @@ class BlockSurfaces {
   const FaultBlocks& blocks_;
   double step_;
   TriangulatedSurface surface_;
-  Box3 over_;  ///< bounds of the surface made from the points of all blocks
+  Box3 over_;  ///< bounds of the surface that was made from the points of all fault blocks
   CompensatedSum squares_;
   std::size_t n_measured_ = 0;
 };
@@ -229,8 +229,8 @@ std::vector<GriddedInBlocks> grid_in_blocks(std::vector<TriangulatedSurface>& su
     return {};
   const FaultBlocks blocks(surfaces, rules);
   if (blocks.n_blocks() < 2) return {};
-  // The surface of a fault block may end up to one triangle side before the fault. Horizons are continued over twice
-  // that length, which closes the gap.
+  // The horizon's surface in a fault block may end up to one triangle side before the fault. Continuing it over twice
+  // that length closes the gap.
   const double step = how.within_of_horizons / 2;
   std::vector<GriddedInBlocks> told;
   for (const auto& [row, points] : made) {

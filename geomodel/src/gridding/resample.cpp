@@ -23,7 +23,8 @@ double map_area(const std::vector<Vec3>& points, const Triangle& t) {
   return 0.5 * (a.x * b.y - a.y * b.x);
 }
 
-/// Returns the surface's area projected onto the plane. Throws if its triangles are not all oriented alike there.
+/// Returns the area of the surface's projection onto the plane in which it is remeshed. `q` are its points in
+/// coordinates of that plane. Throws if the projected triangles are not all oriented alike.
 double graph_area(const TriangulatedSurface& surface, const std::vector<Vec3>& q) {
   CompensatedSum area;
   std::size_t n_left = 0, n_right = 0;
@@ -111,7 +112,7 @@ SurfaceChange measure_change(const std::vector<Vec3>& old_points, const std::vec
   std::size_t n = 0;
   for (const Vec3& p : old_points) {
     const auto height = finder.height(p.x, p.y);
-    if (!height) continue;  // the old vertex lies outside of the new surface, beside a subdivided border
+    if (!height) continue;  // the old vertex is outside of the resampled surface, beside a subdivided border
     squares.add((*height - p.z) * (*height - p.z));
     change.largest_move = std::max(change.largest_move, std::abs(*height - p.z));
     ++n;

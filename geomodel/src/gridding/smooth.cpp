@@ -11,13 +11,13 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A surface with equal vertices merged, so that both sides of a seam move together.
+/// A surface whose equal vertices are merged. Smoothing thus moves both sides of a seam together.
 struct WeldedSurface {
   std::vector<Vec3> points;
-  std::vector<VertexIndex> row;  ///< merged vertex of each vertex of the original surface
+  std::vector<VertexIndex> row;  ///< by vertex of the original surface: its vertex after merging
   std::vector<Triangle> triangles;
   std::vector<std::vector<VertexIndex>> neighbours;  ///< sorted
-  std::vector<bool> fixed;                           ///< points that do not move: on a border, or in no triangle
+  std::vector<bool> fixed;  ///< points that smoothing does not move: on a border of the surface, or in no triangle
 };
 
 WeldedSurface weld(const TriangulatedSurface& surface) {
@@ -61,7 +61,7 @@ double fitted_height(const WeldedSurface& s, VertexIndex v, const Vec3& u_axis, 
   double scale = 0;
   for (const VertexIndex n : s.neighbours[v]) scale = std::max(scale, norm(s.points[n] - s.points[v]));
   if (!(scale > 0)) return 0;
-  m(0, 0) = 1;  // least-squares equation of the vertex itself, whose height is 0
+  m(0, 0) = 1;
   for (const VertexIndex n : s.neighbours[v]) {
     const Vec3 d = (1 / scale) * (s.points[n] - s.points[v]);
     const Eigen::Vector3d a(1, dot(d, u_axis), dot(d, v_axis));

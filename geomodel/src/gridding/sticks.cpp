@@ -13,7 +13,7 @@ namespace {
 
 struct Stick {
   std::vector<Vec3> points;
-  double place = 0;  ///< position of the fault stick's midpoint along the direction across the sticks
+  double place = 0;  ///< position of the stick's midpoint along the direction normal to all sticks of the fault
 };
 
 Eigen::Vector3d eigen(const Vec3& p) { return {p.x, p.y, p.z}; }
@@ -42,7 +42,7 @@ std::vector<Stick> clean_sticks(const std::vector<Polyline>& lines) {
   return sticks;
 }
 
-/// Mean direction along the sticks, and the direction across them in the surface.
+/// Mean direction of the fault sticks, and the direction, normal to it, in which they lie side by side.
 struct Directions {
   Eigen::Vector3d along, across;
 };

@@ -14,7 +14,6 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// The normal equations of a least-squares problem, assembled entry by entry.
 class NormalEquations {
  public:
   explicit NormalEquations(std::size_t n) : right_side_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n))) {}
@@ -86,8 +85,8 @@ std::vector<double> fit_thin_plate(const PlateGrid& g, std::span<const Vec3> poi
   const Eigen::Vector3d plane = fit_plane(g, points);
   const auto plane_at = [&](double u, double v) { return plane[0] + plane[1] * (u - g.u0) + plane[2] * (v - g.v0); };
   NormalEquations equations(g.n_u * g.n_v);
-  // Lengths of the grid are in units of the smoothing length: the functional is then (A / n) sum r^2 + bending, with
-  // the same stiffness for all grids.
+  // Lengths are divided by the smoothing length, so that the matrix of the bending energy is the same for all grids.
+  // The sum of the squared residuals then has the weight A / n, for n points in the grid's area A.
   const double du = g.du / smoothing, dv = g.dv / smoothing;
   const double weight = du * dv * static_cast<double>((g.n_u - 1) * (g.n_v - 1)) / static_cast<double>(points.size());
   for (const Vec3& p : points) {
@@ -96,7 +95,7 @@ std::vector<double> fit_thin_plate(const PlateGrid& g, std::span<const Vec3> poi
                       j = std::min(static_cast<std::size_t>(std::max(v, 0.0)), g.n_v - 2);
     const double s = u - static_cast<double>(i), t = v - static_cast<double>(j);
     const std::size_t a = j * g.n_u + i;
-    const bool lower = s >= t;  // which of the two triangles of the grid cell contains the point
+    const bool lower = s >= t;  // whether the point is in the lower of the two triangles of its grid cell
     equations.add<3>({a, lower ? a + 1 : a + g.n_u, a + g.n_u + 1},
                      {1 - std::max(s, t), std::abs(s - t), std::min(s, t)}, p.z - plane_at(p.x, p.y), weight);
   }

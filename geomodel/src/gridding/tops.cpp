@@ -16,9 +16,9 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-constexpr double share_of_bounds = 0.2;  // default reach of a well top, as a share of the horizon's extent
+// Default distance within which a well top moves a horizon, as a share of the horizon's extent.
+constexpr double share_of_bounds = 0.2;
 
-/// Indices of the columns in the table of well tops.
 struct TopColumns {
   std::size_t well = 0, horizon = 0, depth = 0;
 };
@@ -45,7 +45,8 @@ bool says_nothing(std::string_view line) {
   return text.empty() || text.front() == '#' || text.front() == '!';
 }
 
-/// A triangle above or below a point, with the barycentric coordinates of the point in the map.
+/// A triangle above or below a point, with the point's barycentric coordinates in the triangle after projection onto
+/// the map.
 struct Hit {
   Index triangle = no_index;
   std::array<double, 3> shares{};
@@ -65,7 +66,7 @@ std::optional<Hit> hit_of(const Vec3& p, std::span<const Vec3> points, const Tri
   if (whole == 0) return std::nullopt;
   Hit hit;
   hit.shares = {twice_area(p, b, c) / whole, twice_area(a, p, c) / whole, twice_area(a, b, p) / whole};
-  constexpr double on_side = -1e-9;  // tolerance: a point on an edge counts as inside both triangles at the edge
+  constexpr double on_side = -1e-9;  // slack: a point on an edge counts as inside both triangles at it
   if (*std::min_element(hit.shares.begin(), hit.shares.end()) < on_side) return std::nullopt;
   hit.height = hit.shares[0] * a.z + hit.shares[1] * b.z + hit.shares[2] * c.z;
   return hit;

@@ -32,7 +32,6 @@ bool may_be_mesh(const std::filesystem::path& path) {
   return extension == ".vtu" || extension == ".msh" || extension == ".inp" || is_legacy_grid(path);
 }
 
-/// Counts tetrahedra and sums volumes by region.
 void measure_regions(const checking::MeshFile& file, MeshInfo& mesh) {
   struct Sum {
     std::size_t n = 0;

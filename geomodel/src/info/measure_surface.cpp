@@ -17,7 +17,6 @@ struct DirectedEdge {
   bool forward;  ///< whether the triangle traverses the edge from the lower to the higher vertex
 };
 
-/// Returns the number of disjoint sets to which the given vertices belong.
 std::size_t count_sets(UnionFind& sets, std::vector<VertexIndex> vertices) {
   for (VertexIndex& v : vertices) v = sets.find(v);
   std::sort(vertices.begin(), vertices.end());

@@ -136,7 +136,7 @@ ProjectTemplate from_gocad() {
       height_surface("top_reservoir", {611.3, 9402.7, 518.9, 7388.3, 20}, [&](double x, double y) {
         return -1500 + 60 * std::sin(x / 1900.3) - 0.02 * y - (x > 5000 ? throw_of_fault : 0);
       });
-  // The horizon is given in blocks: between x = 4,800 and 5,350 m it was not interpreted.
+  // The horizon has separate blocks, because it was not interpreted between x = 4,800 and 5,350 m.
   std::erase_if(top.triangles, [&](const Triangle& t) {
     const double x = (top.points[t[0]].x + top.points[t[1]].x + top.points[t[2]].x) / 3;
     return x > 4800 && x < 5350;
@@ -190,9 +190,7 @@ ProjectTemplate topography_and_wells() {
                                       return 420 + 160 * std::sin(x / 800.7 + 0.3) * std::cos(y / 900.1) + 0.02 * y;
                                     }),
                      height_surface("base_gravel", {-130.7, 6140.3, -120.1, 5130.9, 16},
-                                    [](double x, double y) {
-                                      return 300 + 0.03 * x - 0.01 * y;  // this horizon crops out in deep valleys
-                                    }),
+                                    [](double x, double y) { return 300 + 0.03 * x - 0.01 * y; }),
                      height_surface("top_bedrock", {-140.9, 6150.1, -130.3, 5140.7, 16},
                                     [](double x, double y) { return 60 + 30 * std::sin(x / 1300.9) + 0.01 * y; })};
   result.files = {

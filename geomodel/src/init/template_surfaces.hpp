@@ -16,7 +16,6 @@ struct MapGrid {
   int n;
 };
 
-/// Returns the surface z = height(x, y) on the grid.
 TriangulatedSurface height_surface(const std::string& name, const MapGrid& grid,
                                    const std::function<double(double, double)>& height);
 
@@ -33,7 +32,6 @@ struct Axis {
 TriangulatedSurface revolved_surface(const std::string& name, const Axis& axis,
                                      const std::function<double(double)>& radius);
 
-/// Returns a polyline as GOCAD PLine text.
 std::string to_gocad(const Polyline& line);
 
 /// Returns a surface as GOCAD TSurf text, with doubles that read back to the same values.

@@ -32,7 +32,7 @@ std::array<Corners, 4> divided(const Corners& t) {
 /// Proves that a scalar field is above the isovalue (side 1) or below it (side -1) everywhere on a triangle.
 struct OneSide {
   const ScalarField& field;
-  LinearFunction linear;  ///< linear approximation of the field near the triangle
+  LinearFunction linear;  ///< linear approximation of the scalar field near an isosurface triangle
   double value, side;
 
   bool holds(const Corners& moved, int divisions) const {
@@ -50,8 +50,8 @@ struct OneSide {
   }
 };
 
-/// Shifts the triangle along the gradient of its cell, up and down, and proves that the field is above the isovalue on
-/// one copy and below it on the other.
+/// Shifts an isosurface triangle along the gradient of its cell, up and down, and proves that the field is above the
+/// isovalue on one copy and below it on the other.
 bool is_proven(const ScalarField& field, const Corners& triangle, const Vec3& gradient, double value, double distance) {
   const double slope = length_of(gradient);
   if (!(slope > 0)) return false;
@@ -62,7 +62,7 @@ bool is_proven(const ScalarField& field, const Corners& triangle, const Vec3& gr
   });
 }
 
-/// A sample point of a triangle, with a place on either side of it.
+/// A sample point of an isosurface triangle, as two places on either side of it at which the field is evaluated.
 struct Sample {
   std::size_t triangle;
   Vec3 below, above;

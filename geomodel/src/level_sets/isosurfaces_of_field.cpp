@@ -94,8 +94,8 @@ class FieldMesher {
   }
 
  private:
-  /// Finds the triangles that are not known to be within the distance of the true isosurface. Triangles in a cell with
-  /// edges shorter than the distance are always within it, because the true isosurface passes through the cell too.
+  /// Finds the isosurface triangles not known to be within the requested distance of the true isosurface. Triangles in
+  /// a cell with edges shorter than that are within it, because the true isosurface passes through the cell too.
   void find_beyond(std::uint64_t seed) {
     result_.beyond.assign(values_.size(), {});
     for (std::size_t v = 0; v < values_.size(); ++v) {

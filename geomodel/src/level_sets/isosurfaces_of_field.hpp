@@ -19,7 +19,7 @@ struct FieldSurfaces {
   /// For each isosurface, the rows of triangles not proven to be within `distance`, or not within it at samples.
   std::vector<std::vector<Index>> beyond;
   std::size_t n_cells = 0;       ///< number of cells of the background mesh from which isosurfaces are made
-  std::vector<Box3> unresolved;  ///< bounding boxes of cells in which an isosurface may have several parts
+  std::vector<Box3> unresolved;  ///< bounding boxes of background cells in which an isosurface may have several parts
   Range found;                   ///< range of the field's values at the vertices of the background mesh
 };
 

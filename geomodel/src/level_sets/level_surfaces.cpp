@@ -93,7 +93,7 @@ std::string field_words(const LevelSetSpec& spec) {
   return spec.file_as_written + (spec.array.empty() ? "" : " (" + spec.array + ")");
 }
 
-/// The triangles of a surface that come from one field, and those of them that are not proven to be close to it.
+/// The triangles of a level set that come from one scalar field, with those not proven near the true isosurface.
 struct MadePart {
   Isosurface surface;
   FieldPart facts;

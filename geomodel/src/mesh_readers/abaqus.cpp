@@ -148,7 +148,7 @@ class AbaqusReader {
     mesh_.points.push_back({number(fields[1]), number(fields[2]), number(fields[3])});
   }
   void read_tetrahedron(std::vector<std::string_view> fields) {
-    // Fields so far of an element with ten nodes, which may continue on the next line at any place.
+    // Fields on the continuation lines of an Abaqus element with ten nodes: a line may end after any node.
     std::vector<std::string> rest;
     while (fields.size() + rest.size() < n_nodes_ + 1 && n_nodes_ == 10 && !in_.at_end()) {
       const std::string_view more = in_.line();
@@ -167,14 +167,15 @@ class AbaqusReader {
     row_of_element_[count(field(0))] = cells.size() - 1;
     mesh_.numbers.push_back(n_elements_++);
   }
-  /// Reads one line of a set: numbers of nodes or elements, or names of other sets.
+  /// Reads one line of an Abaqus set: numbers of nodes or elements, or names of other sets.
   void read_set(const std::vector<std::string_view>& fields) {
     const bool nodes = block_ == Block::node_set;
     if (generate_ && fields.size() >= 2) {
       const std::size_t first = count(fields[0]), last = count(fields[1]),
                         step = fields.size() > 2 ? count(fields[2]) : 1;
       if (step == 0) in_.refuse("the step of a GENERATE line is 0");
-      // Element numbers that do not exist are skipped, all at once if there are far more of them than of others.
+      // A range in an Abaqus set may contain numbers that no element has. They are skipped, all at once if the range is
+      // far longer than the list of elements.
       if (!nodes && first < last && (last - first) / step > 2 * row_of_element_.size())
         return add_between(first, last, step);
       for (std::size_t i = first; i <= last; i += step) add_to_set(i, nodes);
@@ -191,7 +192,7 @@ class AbaqusReader {
       }
     }
   }
-  /// Adds to a set the existing elements among first, first + step ... last.
+  /// Adds to an Abaqus set those of the elements first, first + step ... last that exist.
   void add_between(std::size_t first, std::size_t last, std::size_t step) {
     std::vector<std::size_t> numbers;
     for (const auto& [number, row] : row_of_element_)
@@ -199,7 +200,7 @@ class AbaqusReader {
     std::sort(numbers.begin(), numbers.end());
     for (const std::size_t number : numbers) add_to_set(number, false);
   }
-  /// Keeps each item of a set once. Otherwise a short file could fill all memory with sets that contain each other.
+  /// Keeps each member of an Abaqus set once: a short file could fill all memory with sets that contain each other.
   void drop_repeated(std::size_t n_items) {
     std::vector<std::size_t>& rows = set_->rows;
     if (rows.size() <= n_items) return;

@@ -42,7 +42,7 @@ class ExodusReader {
   }
 
  private:
-  /// Returns the numbers in the whole mesh of the file's items; if the file does not have them, the numbers from 1 on.
+  /// Returns the numbers of the Exodus file's nodes or elements in the whole mesh; numbers from 1 on if it has none.
   std::vector<int> numbers_in_whole(const char* variable, std::size_t n) const {
     std::vector<int> numbers(n);
     std::iota(numbers.begin(), numbers.end(), 1);
@@ -57,7 +57,7 @@ class ExodusReader {
     return static_cast<int>(value);
   }
 
-  /// Reads the points from three variables, one for each coordinate, or from a single one in files before 1996.
+  /// Reads the points of an Exodus file from one variable for each axis, or from a single one in files before 1996.
   void read_points() {
     const std::size_t n = file_.dimension("num_nodes");
     if (n >= no_vertex) file_.refuse("it holds more nodes than 32 bits can count");
@@ -78,7 +78,7 @@ class ExodusReader {
       file_.refuse("node " + std::to_string(number) + " is not there");
     return static_cast<VertexIndex>(number - 1);
   }
-  /// Returns the ids of blocks or sets; if the file has none, the numbers from 1 on.
+  /// Returns the ids of an Exodus file's element blocks, side sets or node sets; numbers from 1 on if it has none.
   std::vector<int> ids_of(const std::string& kind, std::size_t n) const {
     return numbers_in_whole((kind + "_prop1").c_str(), n);
   }
@@ -153,7 +153,7 @@ class ExodusReader {
     set.rows.push_back(mesh_.cells[2].size() - 1);
   }
 
-  /// Reads the cell arrays of the first time step. Cells of a block that does not have a variable get NaN.
+  /// Reads the cell arrays of an Exodus file's first time step. Cells of a block without a variable get NaN for it.
   void read_cell_arrays() {
     const std::size_t n = file_.dimension("num_elem_var");
     const std::vector<std::string> names = file_.texts("name_elem_var", n);
@@ -169,7 +169,7 @@ class ExodusReader {
       mesh_.cell_arrays.push_back(std::move(array));
     }
   }
-  /// Reads the point arrays from one variable for each, or from a single one in files before 1996.
+  /// Reads the point arrays of an Exodus file: each from its own variable, or all from one in files before 1996.
   void read_point_arrays() {
     const std::size_t n = file_.dimension("num_nod_var"), n_points = mesh_.points.size();
     const std::vector<std::string> names = file_.texts("name_nod_var", n);

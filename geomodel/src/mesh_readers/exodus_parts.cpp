@@ -17,15 +17,15 @@ namespace {
   throw Error(ErrorKind::invalid_input, file.string() + ": " + why);
 }
 
-/// Converts a global number to a row. Global numbers count from 1 without gaps.
+/// Converts the global number of a node or element to its row. Global numbers count from 1 without gaps.
 std::size_t row_of(int number, std::size_t n, const std::filesystem::path& whole) {
   if (number < 1 || static_cast<std::size_t>(number) > n)
     refuse(whole, "global numbers of its parts have gaps or are out of range (" + std::to_string(number) + ")");
   return static_cast<std::size_t>(number - 1);
 }
 
-/// Returns the largest global number of all parts, which is the count of items if there are no gaps. Throws if it is
-/// more than the parts contain.
+/// Returns the largest global number of the nodes or elements in all parts of an Exodus mesh, which is their count if
+/// no number is missing. Throws if the number is larger than the nodes or elements in the parts are many.
 std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<int> ExodusPartMesh::*numbers,
                           const std::filesystem::path& whole) {
   int largest = 0;
@@ -38,8 +38,8 @@ std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<
   return static_cast<std::size_t>(largest);
 }
 
-/// Throws if a tetrahedron is in two parts. This is checked before gaps are, because a part that is listed twice also
-/// leaves another one out.
+/// Throws if a tetrahedron is in the files of two mesh parts. This is checked before gaps are, because a part that is
+/// listed twice also leaves another one out.
 void refuse_doubled_elements(const std::vector<ExodusPartMesh>& parts, const std::filesystem::path& whole) {
   std::vector<int> numbers;
   for (const ExodusPartMesh& part : parts)
@@ -137,7 +137,7 @@ class PartsMerger {
 }  // namespace
 
 std::optional<ExodusPartFiles> exodus_part_files(const std::filesystem::path& file) {
-  // Names of parts have the form NAME.e.COUNT.NUMBER, in which both numbers have the same number of digits.
+  // Files of the parts of an Exodus mesh are named NAME.e.COUNT.NUMBER; both numbers have as many digits.
   std::string name = file.filename().string();
   const auto take_number = [&name] {
     const std::string digits(digits_at_end(name));

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 
 struct ExodusPartFiles {
-  std::filesystem::path whole;               ///< NAME.e, the name of a file for the whole mesh, which need not exist
+  std::filesystem::path whole;  ///< NAME.e, the Exodus file that the whole mesh would have; it need not exist
   std::vector<std::filesystem::path> parts;  ///< NAME.e.N.0 to NAME.e.N.(N-1)
 };
 /// Derives the names of the files of all parts from that of one part; returns nothing if the name has another form.

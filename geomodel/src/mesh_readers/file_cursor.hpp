@@ -37,7 +37,6 @@ class FileCursor {
     if (!result.empty() && result.back() == '\r') result.remove_suffix(1);
     return result;
   }
-  /// Returns the next word, skipping blanks and ends of lines.
   std::string_view word() {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
     if (at_end()) refuse("ends too early");

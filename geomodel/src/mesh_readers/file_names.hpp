@@ -24,7 +24,7 @@ struct FullName {
 struct FileNames {
   std::vector<FullName> regions, surfaces, curves, points, node_sets;
   std::map<std::string, std::string> field_units;  ///< unit of each mapped property, by its name; empty: not known
-  std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< for each group of regions, their ids
+  std::map<std::string, std::vector<std::int32_t>> region_groups;
   std::map<std::int32_t, std::string> region_ids;
   std::string unit;
   std::optional<Vec3> origin;

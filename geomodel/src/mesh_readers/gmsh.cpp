@@ -79,8 +79,8 @@ class GmshReader {
     mesh_.format = "Gmsh";
     read_sections();
     read_other_parts(file);
-    // Arrays are filled with NaN first, because data may precede the cells and nodes to which they belong, or be in
-    // only some parts.
+    // Arrays are filled up with NaN, because a Gmsh file may have data before the elements and nodes to which they
+    // belong, or in only some parts of the mesh.
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (CellArray& array : mesh_.cell_arrays) array.values.resize(mesh_.cells[3].size(), none);
     for (PointArray& array : mesh_.point_arrays) array.values.resize(mesh_.points.size(), none);
@@ -246,7 +246,7 @@ class GmshReader {
     }
   }
 
-  /// Reads an element, whose nodes `node()` returns one by one, and adds it to its groups.
+  /// Reads one element of a Gmsh file, whose nodes `node()` returns in order, and adds it to its physical groups.
   template <class F>
   void add_element(std::size_t tag, int type, const std::vector<std::int32_t>& groups, F&& node) {
     const std::optional<ElementType> known = element_type(type);
@@ -327,7 +327,7 @@ class GmshReader {
     }
   }
 
-  /// Reads data with one value for each node or element; other data are ignored. Rows without a value have NaN.
+  /// Reads Gmsh data with one value for each node or element (NaN where there is none), and ignores other data.
   void read_data(bool of_nodes) {
     std::string name;
     const auto n_texts = in_.number<std::size_t>();
@@ -366,15 +366,14 @@ class GmshReader {
   RawMesh mesh_;
   std::int32_t n_parts_ = 1;
   bool is_later_part_ = false;
-  std::vector<std::size_t> element_numbers_;        // numbers of the elements in the first file of a mesh in parts
-  std::unordered_set<std::size_t> known_elements_;  // numbers of the elements in all files read so far
+  std::vector<std::size_t> element_numbers_;  // numbers of the elements in the first of several Gmsh files of a mesh
+  std::unordered_set<std::size_t> known_elements_;  // numbers of the elements in all Gmsh files of the mesh read so far
   std::set<std::int32_t> ghosts_;                   // entities
   NodeRows nodes_;
   double version_ = 0;
   bool binary_ = false;
   std::size_t n_elements_ = 0;
   std::unordered_map<std::size_t, std::size_t> row_of_element_;  // row of each tetrahedron, by element number
-  // Groups of each Gmsh entity, by its dimension and number.
   std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> groups_of_;
   std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets of cells, by the dimension of their cells and by tag
 };

@@ -92,13 +92,13 @@ class MedReader {
     const med_entity_type entity = type == MED_NONE ? MED_NODE : MED_CELL;
     const med_int n = MEDmeshnEntity(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, entity, type,
                                      type == MED_NONE ? MED_COORDINATE : MED_CONNECTIVITY, MED_NODAL, &changed, &moved);
-    // A file is damaged if it declares more numbers than it can contain even when compressed (deflate: 1032 to 1).
+    // A MED file is damaged if it declares more numbers than it can contain even when compressed (deflate: 1032 to 1).
     if (n > 0 && static_cast<std::uintmax_t>(n) / 1032 > std::filesystem::file_size(path_))
       refuse("sizes in it are not those of what follows: it is damaged");
     return n < 0 ? 0 : static_cast<std::size_t>(n);
   }
   std::vector<med_int> families(med_entity_type entity, med_geometry_type type, std::size_t n) const {
-    std::vector<med_int> numbers(n, 0);  // if a file has no families, all are 0
+    std::vector<med_int> numbers(n, 0);  // if a MED file has no family numbers, all items are in family 0
     if (MEDmeshEntityFamilyNumberRd(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, entity, type, numbers.data()) < 0)
       numbers.assign(n, 0);
     return numbers;

@@ -25,14 +25,14 @@ struct MeshFile {
   std::vector<VertexIndex> midpoints;
   std::vector<std::size_t> cell;   ///< number of each tetrahedron among all cells of the file, for messages
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
-  /// Prisms among the solids that are not tetrahedra, in VTK's order (VTK files only).
+  /// Prisms among the file's volume cells, in VTK's order of their nodes (VTK files only).
   std::vector<std::array<VertexIndex, 6>> prisms;
   std::size_t n_lower_cells = 0;     ///< number of triangles, lines and points in the file
   std::vector<std::int32_t> region;  ///< region id of each tetrahedron; empty if the file has no array of region ids
   std::string region_array;          ///< its name
   std::map<std::int32_t, std::string> region_names;
-  std::vector<std::string> arrays;        ///< names and types of point arrays and cell arrays (VTK files only)
-  std::vector<Triangle> triangles;        ///< triangles in addition to the tetrahedra (.vtu, and files of solvers)
+  std::vector<std::string> arrays;  ///< names and types of point arrays and cell arrays (VTK files only)
+  std::vector<Triangle> triangles;  ///< triangles of the mesh file besides its tetrahedra (.vtu, and files of solvers)
   std::vector<std::int32_t> triangle_id;  ///< surface id of each triangle; surface_names has the names (VTU files only)
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::array<VertexIndex, 2>> edges;
@@ -47,7 +47,8 @@ struct MeshFile {
   std::map<std::string, std::vector<double>> point_values;  ///< values of the scalar point arrays (VTK files only)
   std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< region ids of each named group of regions
   std::vector<std::int64_t> global_points;  ///< point array GlobalPointIds; empty if the file has none
-  std::vector<Vec3> before_zones;           ///< points before fault zones were opened (array before_zones), or empty
+  /// Positions of points before fault zones were opened (array before_zones), or empty.
+  std::vector<Vec3> before_zones;
   Vec3 origin{0, 0, 0};  ///< vector that was subtracted from the coordinates (field data written by geomesh)
 };
 
@@ -57,11 +58,12 @@ struct FacesFile {
   std::vector<std::int32_t> surface, surface_set, patch, region_minus, region_plus, source_triangle;
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::vector<std::int32_t>> surface_sets;
-  std::vector<std::string> missing_arrays;  ///< names of arrays that files of geomesh have and this file lacks
-  /// row in the mesh of each point of the file; empty if the file has no array of these rows
+  std::vector<std::string> missing_arrays;  ///< names of arrays that files written by geomesh have and this file lacks
+  /// for each point of the file of curves: its row in the mesh; empty if the file lacks these rows
   std::vector<std::int32_t> mesh_point;
   std::map<std::int32_t, std::string> region_names, surface_kinds;
-  std::vector<std::string> surface_set_names;  ///< name of each list in surface_sets; empty if the file has none
+  /// Name of each list of surface ids in surface_sets; empty if the file has none.
+  std::vector<std::string> surface_set_names;
 };
 
 /// Contents of NAME.curves.vtp: edges of curves and named points.
@@ -72,7 +74,7 @@ struct CurvesFile {
   };
   std::vector<Curve> curves;  ///< curves in the order of the file, including named points
   std::vector<Vec3> points;
-  /// row in the mesh of each point of the file; empty if the file has no array of these rows
+  /// for each point of the file of faces: its row in the mesh; empty if the file lacks these rows
   std::vector<std::int32_t> mesh_point;
   std::vector<std::array<VertexIndex, 2>> edges;
   std::vector<VertexIndex> vertices;                   ///< points that are cells of the file (VTK vertices)
@@ -94,7 +96,7 @@ struct SurfacesOfGrid {
   FacesFile faces;
   CurvesFile curves;
 };
-/// Reads the faces and curves of a single grid; nothing if it has no face with the arrays that geomesh writes.
+/// Reads the faces and curves of a VTU file with cells of all dimensions; nothing if no face has geomesh's arrays.
 std::optional<SurfacesOfGrid> read_surfaces_of_grid(const std::filesystem::path& path);
 
 }  // namespace geomesh::geomodel::checking

@@ -24,8 +24,8 @@ struct RawCells {
 
 struct RawSet {
   std::string name;
-  std::int32_t id = 0;  ///< number of the set in the file; 0 if it has none
-  int dimension = 0;    ///< dimension of the cells; -1 for a set of nodes
+  std::int32_t id = 0;  ///< number of the set of cells or nodes in the mesh file; 0 if it has none
+  int dimension = 0;    ///< dimension of the cells in the set; -1 for a set of nodes
   std::vector<std::size_t> rows;
 };
 
@@ -38,9 +38,9 @@ class SetBudget {
       "its sets name more cells and nodes in all than 10,000,000 and ten for each byte of the file";
 
   explicit SetBudget(std::size_t bytes) : left_(always + a_byte * bytes) {}
-  /// Increases the limit on cells and nodes in sets for one more file of this size in bytes.
+  /// Raises the limit on the number of cells and nodes in sets, for one more mesh file of this size in bytes.
   void grow(std::size_t bytes) { left_ += a_byte * bytes; }
-  /// Counts `n` more cells or nodes of sets; returns false if they exceed the limit.
+  /// Counts `n` more cells or nodes that a mesh file lists in sets. Returns false if their number exceeds the limit.
   [[nodiscard]] bool take(std::size_t n) {
     if (n > left_) return false;
     left_ -= n;
@@ -54,7 +54,6 @@ class SetBudget {
 struct RawMesh {
   std::string format, name;
   std::vector<Vec3> points;
-  /// cells by dimension: points, edges, triangles, tetrahedra
   std::array<RawCells, 4> cells{{{1, {}}, {2, {}}, {3, {}}, {4, {}}}};
   std::vector<std::size_t> numbers;  ///< numbers of the tetrahedra among all cells of the file, for messages
   std::vector<RawSet> sets;
@@ -63,13 +62,14 @@ struct RawMesh {
   /// Six midpoint nodes for each second-order tetrahedron, on the edges 01 12 20 03 13 23.
   std::vector<VertexIndex> midpoints;
   bool single_precision = false;  ///< whether the file has coordinates in single precision
-  /// Kind and input row of each point; empty unless geomesh wrote the file.
+  /// Kind and input row of each mesh point; empty unless geomesh wrote the file.
   std::vector<std::int32_t> point_kind, input_vertex;
   std::vector<CellArray> cell_arrays;    ///< by tetrahedron
-  std::vector<PointArray> point_arrays;  ///< point arrays, with a value for each row of `points`
+  std::vector<PointArray> point_arrays;  ///< point arrays, with one value for each point of the mesh
   /// Name that a single file of the mesh would have, if it was read from parts; else empty.
   std::filesystem::path whole;
-  std::vector<Vec3> before_zones;  ///< points before fault zones were opened; empty unless geomesh wrote the file
+  /// Positions of points before fault zones were opened; empty unless geomesh wrote the file.
+  std::vector<Vec3> before_zones;
   Vec3 origin{0, 0, 0};
 };
 

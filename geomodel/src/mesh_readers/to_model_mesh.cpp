@@ -214,7 +214,7 @@ class ModelMeshBuilder {
     }
   }
 
-  /// Returns the sets of one dimension under their full names if these are known, else under the names in the file.
+  /// Returns a mesh file's sets of one dimension, by their full names if these are known, else as named in the file.
   std::vector<Wanted> wanted(int dimension, const std::vector<FullName>& full_names) const {
     std::vector<Wanted> list;
     std::map<std::string, std::size_t> row_of_name;
@@ -226,7 +226,7 @@ class ModelMeshBuilder {
     std::set<std::string> known;
     std::size_t n_rows = 0;
     for (const RawSet& set : raw_.sets) n_rows += set.rows.size();
-    SetBudget budget(n_rows);  // limits the work: each set may have many names, and a name many sets
+    SetBudget budget(n_rows);  // limits the work: a set of cells may have many names, and a name many such sets
     for (const FullName& full : full_names) {
       for (const RawSet& set : raw_.sets) {
         if (set.dimension != dimension || std::find(full.sets.begin(), full.sets.end(), set.name) == full.sets.end())
@@ -370,7 +370,7 @@ class ModelMeshBuilder {
   const std::filesystem::path& file_;
   FileNames names_;
   ModelMesh mesh_;
-  std::vector<VertexIndex> row_;  // row in the mesh of each point of the file
+  std::vector<VertexIndex> row_;  // for each point of the mesh file: its row in the mesh
   std::int32_t next_id_ = 1;
 };
 

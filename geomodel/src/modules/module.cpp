@@ -21,12 +21,11 @@ void anchor() {}
 fs::path own_folder() { return file_of_code(&anchor).parent_path(); }
 
 #ifdef _WIN32
-constexpr char between_folders = ';';  // not a colon, which in Windows paths follows the letter of a drive
+constexpr char between_folders = ';';  // separates folders in GEOMESH_PLUGINS; on Windows paths contain colons
 #else
 constexpr char between_folders = ':';
 #endif
 
-/// Returns the folders in which plugins are searched, in order.
 std::vector<fs::path> plugin_folders() {
   std::vector<fs::path> folders;
   if (const char* given = std::getenv("GEOMESH_PLUGINS")) {

@@ -8,7 +8,6 @@
 
 namespace geomesh::geomodel {
 
-/// Names and descriptions used by messages about a missing module.
 struct ModuleName {
   const char* file;      ///< "geomesh-exodus.so"
   const char* function;  ///< name of the function in the module that returns its table and has no arguments

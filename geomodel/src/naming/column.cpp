@@ -11,7 +11,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Faces with a smaller cosine of the angle to their input triangle do not decide a side of the horizon.
+/// If the cosine of the angle between a mesh face and its input triangle is smaller, the face does not show which
+/// component is above the horizon.
 constexpr double least_cosine = 0.1;
 
 std::vector<Vec3> unit_normals(const TriangulatedSurface& surface) {
@@ -71,7 +72,7 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
       const Vec3& given = column.normals[h][o.triangle];
       const double agreement = dot(normal, given);
       if (std::abs(agreement) < least_cosine * norm(normal) * norm(given)) continue;
-      if ((agreement < 0) != o.reversed) continue;  // the face was inverted by rounding
+      if ((agreement < 0) != o.reversed) continue;  // rounding inverted the face
       const bool facet_normal_is_up = (column.sides[h].as_stored[o.triangle] != 0) != o.reversed;
       Index lower = component_of(mesh, face.tetrahedron_below), upper = component_of(mesh, face.tetrahedron_above);
       if (!facet_normal_is_up) std::swap(lower, upper);
@@ -110,7 +111,7 @@ UnitVerdict find_unit(const HorizonContacts& contacts, const Column& column) {
   Index first = 0, last = last_unit;
   bool bounded_above = false, bounded_below = false;
   for (const auto& [h, area] : contacts.lies_below) {
-    // The horizon is repeated by a fold or thrust, so the side of the component with the larger area is used.
+    // A fold or thrust may put a horizon on both sides of the component. The side with the larger area is used.
     if (area < area_in(contacts.lies_above, h)) continue;
     if (!bounds(contacts, area, 0, h)) continue;
     first = std::max(first, h + 1);

@@ -33,7 +33,7 @@ Column make_column(const std::vector<std::string>& names, const std::vector<Tria
 struct HorizonContacts {
   /// Area of the faces of each horizon below (above) which the component lies, with something else on their other side.
   std::map<Index, double> lies_below, lies_above;
-  std::map<Index, double> on_both_sides;  ///< area of faces with this component on both sides
+  std::map<Index, double> on_both_sides;  ///< area of each horizon's faces that have this component on both sides
 };
 std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
                                               const ModelPlc& plc, const Column& column);
@@ -44,21 +44,21 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
 HorizonContacts contacts_on_vertical(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                      const Column& column, const Vec3& p);
 
-/// The unit of a component, as far as its contacts with horizons determine it.
+/// The unit of a component of the mesh, as far as the horizons that touch the component determine it.
 struct UnitVerdict {
   enum class Kind {
-    unknown,   ///< no horizon gives information about the component
-    vertical,  ///< no horizon touches the component; a vertical line through it determines the unit
-    unit,      ///< the component is exactly one unit, so that first and last are equal
-    joined,    ///< units first .. last are connected through a gap in a horizon
-    /// A horizon is missing at the component: units first_possible .. last_possible agree with the contacts, and first
-    /// == last is the nearest of them, used if nothing else decides.
+    unknown,   ///< no horizon shows to which unit the component belongs
+    vertical,  ///< no horizon touches the component; those above and below it determine its unit
+    unit,      ///< the horizons leave one possible unit of the component, first == last
+    joined,    ///< the component has the units first .. last, connected through a gap in a horizon
+    /// The horizons around the component leave the units first_possible .. last_possible possible. If nothing else
+    /// decides, it belongs to first == last, the unit next to one of these horizons.
     incomplete,
-    pocket,  ///< the component lies below an older and above a younger horizon; its unit is the one above the younger
+    pocket,  ///< the component lies below an older and above a younger horizon, in the unit just above the younger
   } kind = Kind::unknown;
   Index first = no_index, last = no_index;
   Index first_possible = no_index, last_possible = no_index;
-  bool by_heights = false;  ///< whether the unit was determined from the order of deposition of the horizons
+  bool by_heights = false;  ///< whether the order of deposition of the horizons determined the component's unit
 };
 /// Determines the unit of a component. Below horizon h lies unit h + 1 or an older one, above it unit h or a younger
 /// one; where horizons converge (pinch-outs, erosion, onlap) the tightest bounds are used. A horizon that has the

@@ -19,14 +19,15 @@ namespace {
 struct FreeBorder {
   bool hole = false;
   double length = 0;
-  Vec3 place;              ///< centre of a hole; midpoint of the longest edge of a border
-  Index facet = no_index;  ///< index of a facet of the polygon soup that ends at the border
+  Vec3 place;              ///< where the border is: the centre of a hole, else the midpoint of the longest edge
+  Index facet = no_index;  ///< index of a facet of the polygon soup that has an edge on this border
 };
 
 struct HorizonEdges {
-  std::vector<EdgeUse> free;               ///< edges with one facet of the horizon and no facet of another surface
-  std::vector<EdgeUse> within;             ///< edges with several facets of the horizon, once for each facet
-  std::vector<EdgeUse> ends_on_something;  ///< edges at which one facet of the horizon ends on other surfaces
+  /// Edges at which one facet of the horizon ends freely, without a facet of another surface.
+  std::vector<EdgeUse> free;
+  std::vector<EdgeUse> within;  ///< edges at which several facets of the horizon meet, once for each of these facets
+  std::vector<EdgeUse> ends_on_something;  ///< edges at which one facet of the horizon meets facets of other surfaces
 };
 
 std::vector<HorizonEdges> horizon_edges(const PolygonSoup& soup, const std::vector<std::vector<Index>>& rows_of_facet,
@@ -47,8 +48,8 @@ std::vector<HorizonEdges> horizon_edges(const PolygonSoup& soup, const std::vect
   return result;
 }
 
-/// Measures a border of a horizon. Its `facet` is preferably one that is present in the mesh, because remeshing may
-/// have removed facets at a narrow border.
+/// Measures a border of a horizon. The result's `facet` has the longest border edge of all facets that the mesh
+/// contains; remeshing may have removed others, if the border is narrow.
 FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& edges,
                           const std::vector<Index>& component_at) {
   FreeBorder border;
@@ -90,7 +91,8 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   std::map<Index, bool> anchored;
   for (const EdgeUse& e : edges.ends_on_something) anchored[sheets.find(e.facet)] = true;
   std::vector<FreeBorder> borders;
-  std::map<Index, std::size_t> outer;  // longest closed border of each horizon part that touches no other surface
+  // For each connected part of the horizon that touches no other surface, its longest closed border.
+  std::map<Index, std::size_t> outer;
   for (const auto& [vertex, group] : groups) {
     borders.push_back(measure_border(soup, group, component_at));
     const Index sheet = sheets.find(borders.back().facet);
@@ -102,7 +104,8 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   return borders;
 }
 
-/// Describes an open border of a horizon by the component there. The caller adds the number and position of borders.
+/// Describes an open border of a horizon by the region around it, and by whether units join there. The caller adds how
+/// many borders there are and where.
 OpenBorders open_in(Index component, Index horizon, const std::string& name, const NamedRegions& named) {
   OpenBorders open;
   open.horizon = name;
@@ -137,7 +140,7 @@ std::string in_words(const OpenBorders& open) {
          (open.count == 1 ? "near " : "the longest near ") + to_text(open.place) + "): ";
 }
 
-/// Combines all holes, or all other open borders, of one horizon in one component.
+/// Combines to one entry all holes, or all other open borders, of a horizon in one component.
 OpenBorders together(OpenBorders open, const std::vector<FreeBorder>& borders) {
   const FreeBorder& longest = *std::ranges::max_element(borders, {}, &FreeBorder::length);
   CompensatedSum length;
@@ -164,7 +167,7 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
         if (column.horizons[h] == soup.origins[o].surface && (rows_of_facet[f].empty() || rows_of_facet[f].back() != h))
           rows_of_facet[f].push_back(h);
   std::vector<Index> component_at(soup.facets.size(), no_index);
-  std::map<std::pair<Index, Index>, double> within;  // area of each horizon that has the same component on both sides
+  std::map<std::pair<Index, Index>, double> within;  // by horizon and component: area with the component on both sides
   for (const auto& face : mesh.faces) {
     const Index below = component_of(mesh, face.tetrahedron_below), above = component_of(mesh, face.tetrahedron_above);
     const Index c = below != no_index ? below : above;

@@ -141,7 +141,8 @@ void add_wells(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc, c
         curves.edges.push_back({row[edge.a], row[edge.b], at->second});
 }
 
-/// Adds the curves of `given` that have at least one edge in the mesh, in the same order. Returns the next free id.
+/// Adds to the model's list the curves of `given` that have edges in the mesh, in the same order, with ids from next_id
+/// on. Returns the first id that is unused then.
 std::int32_t fill_curves(const MeshCurves& given, std::int32_t next_id, ModelMesh& model) {
   std::vector<CompensatedSum> lengths(given.curves.size());
   std::vector<std::size_t> n_edges(given.curves.size(), 0);
@@ -171,7 +172,8 @@ void fill_marked_points(const MeshedModel& meshed, const std::vector<NamedPoint>
       model.marked_points.push_back({row[mesh_point[p.v]], next_id++, points[p.point].name});
 }
 
-/// Assigns groups and attributes to regions by the name of the region or unit; the region's own takes precedence.
+/// Assigns groups and attributes to regions by the name of the region or of its unit. If both names have the attribute,
+/// the region's value counts.
 void add_groups_and_attributes(const NamingRules& rules, ModelMesh& model, std::vector<std::string>& warnings) {
   std::set<std::string> known;
   for (const Region& r : model.regions) known.insert({r.name, r.unit});

@@ -69,7 +69,7 @@ Index innermost_body(std::size_t c, const std::vector<std::vector<Index>>& aroun
   const auto holds = [&](std::size_t component, Index body) {
     return std::binary_search(around[component].begin(), around[component].end(), body);
   };
-  // `inner` is strictly within `outer` if all components in `inner` are in `outer`, but not vice versa.
+  // A body lies within another if all components in the inner one are also in the outer one, but not vice versa.
   const auto within = [&](Index inner, Index outer) {
     bool all = true, strict = false;
     for (std::size_t k = 0; k < around.size(); ++k) {
@@ -156,7 +156,6 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
   }
 }
 
-/// Determines the units of components that touch no horizon.
 void find_units_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSoup& soup,
                             const std::vector<TriangulatedSurface>& surfaces, const Column& column,
                             std::vector<UnitVerdict>& verdicts) {
@@ -205,7 +204,7 @@ bool are_apart_by_faults(const std::vector<std::size_t>& members, const std::vec
 
 /// Regions in their final order, with the data that determine their numbers and warnings.
 struct NumberedRegions {
-  const std::vector<std::size_t>& order;  ///< component of each region, in the order of the regions
+  const std::vector<std::size_t>& order;  ///< for each region, in their order: its component
   const std::vector<Label>& labels;
   const std::vector<ComponentFacts>& facts;
   const std::vector<Index>& block;  ///< by component
@@ -215,7 +214,7 @@ struct NumberedRegions {
 /// than faults divides a unit.
 void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions, std::vector<std::string>& warnings) {
   const auto& [order, labels, facts, block] = numbered;
-  std::map<std::string, std::vector<std::size_t>> rows;  // indices of the regions that have the same name
+  std::map<std::string, std::vector<std::size_t>> rows;  // by name: indices of the regions that have it
   std::set<std::string> taken;
   for (std::size_t r = 0; r < order.size(); ++r) rows[labels[order[r]].name].push_back(r);
   for (const auto& [name, members] : rows)
@@ -240,7 +239,8 @@ void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions,
   }
 }
 
-/// Data about all components before they have names: measurements, bodies around each component, and its unit.
+/// Data about all components of the mesh before they have names: measurements, bodies around each component, and its
+/// unit.
 struct KnownComponents {
   const std::vector<ComponentFacts>& facts;
   const std::vector<std::vector<Index>>& around;
@@ -308,7 +308,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   std::iota(target.begin(), target.end(), Index{0});
   if (!(rules.min_volume > 0)) return target;
   if (rules.merge_small) target = merge_targets(mesh, facts, rules.min_volume);
-  if (rules.join_pieces) {  // only units of the column are merged into others; bodies are kept
+  if (rules.join_pieces) {  // units of the column are merged into others, but bodies are kept
     for (std::size_t c = 0; c < facts.size(); ++c)
       if (labels[c].order != column_class) target[c] = static_cast<Index>(c);
   }
@@ -321,7 +321,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   return target;
 }
 
-/// Returns the name of the unit with its fault block for components that are units of the column, else an empty name.
+/// Returns for each component the name of its unit and fault block; an empty name if it is no unit of the column.
 std::vector<std::string> unit_labels(const std::vector<Label>& labels) {
   std::vector<std::string> names;
   for (const Label& label : labels) names.push_back(label.order == column_class ? label.name : "");

@@ -13,9 +13,9 @@
 
 namespace geomesh::geomodel {
 
-/// The named regions, each combined from one or more components.
+/// Regions of the mesh, each of them one or several connected components that share a name.
 struct NamedRegions {
-  std::vector<Region> regions;                ///< regions in the order of their ids, which start at 1
+  std::vector<Region> regions;                ///< regions of the mesh in the order of their ids, which start at 1
   std::vector<std::int32_t> id_of_component;  ///< region id of each component
   std::vector<UnitVerdict> verdicts;          ///< per component
 };
@@ -61,8 +61,8 @@ std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, cons
 /// first of equal ones), or itself if no other component has its name.
 std::vector<Index> join_targets(const std::vector<ComponentFacts>& facts, const std::vector<std::string>& names);
 
-/// Returns the facts of components, with each volume replaced by the sum over all components that join the same target.
-/// These sums are compared with `min_volume`.
+/// Returns the facts of components, but with the volume of all components that are to be joined into the same one, for
+/// comparison with `min_volume`.
 std::vector<ComponentFacts> joined_facts(std::vector<ComponentFacts> facts, std::span<const Index> target);
 
 /// Finds places where horizons have holes or end inside a region. Appends warnings on these and on absent horizons,

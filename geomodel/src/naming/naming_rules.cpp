@@ -51,7 +51,7 @@ ConstrainedTetrahedralization keep_components(const ConstrainedTetrahedralizatio
     if (below != no_index || above != no_index)
       out.faces.push_back({{row[f.vertices[0]], row[f.vertices[1]], row[f.vertices[2]]}, f.facet, below, above});
   }
-  // An edge is kept only if it is an edge of a kept tetrahedron; it is not enough that both of its points are kept.
+  // A curve edge is kept only if a kept tetrahedron has this edge; it is not enough to keep both of its points.
   std::vector<std::pair<VertexIndex, VertexIndex>> wanted;
   for (const auto& e : mesh.edges) wanted.emplace_back(std::min(e.a, e.b), std::max(e.a, e.b));
   std::sort(wanted.begin(), wanted.end());
@@ -82,8 +82,8 @@ bool holds(const ConstrainedTetrahedralization& mesh, const Tetrahedron& t, cons
   return true;
 }
 
-/// Returns for each component the area of horizon faces that bound it, without the horizon at which the model ends. All
-/// other horizons are cut at that end, so that components beyond it have no such area.
+/// Returns for each component the area of its faces on horizons other than the topography or base at which the model
+/// ends. That surface cuts all other horizons, so components beyond it have no such area.
 std::vector<double> area_of_other_horizons(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
                                            const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces,
                                            const std::string& end) {
@@ -109,7 +109,7 @@ std::vector<double> area_of_other_horizons(const ConstrainedTetrahedralization& 
 /// lies on both sides of that surface, and either the area between its two sides exceeds the area that separates it
 /// from other components, or other horizons touch it.
 bool lies_about(const HorizonContacts& contacts, const ModelEnd& end, double other_horizons) {
-  constexpr double least = 0.01;  // areas below this share of the component's area at the model's end are ignored
+  constexpr double least = 0.01;  // areas below this share of the component's area on topography (base) are ignored
   const auto& parting = end.above ? contacts.lies_above : contacts.lies_below;
   const auto area = [](const std::map<Index, double>& at) { return at.contains(0) ? at.at(0) : 0.0; };
   const double both = area(contacts.on_both_sides), one = area(parting), little = least * (both + one);
@@ -228,7 +228,7 @@ std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, cons
   });
   std::vector<Index> rank(facts.size());
   for (Index k = 0; k < order.size(); ++k) rank[order[k]] = k;
-  for (Index c : order) {  // components are only merged into larger ones, so chains of merges end
+  for (Index c : order) {  // each component merges into a larger one, so chains of merges end
     if (facts[c].volume >= min_volume) continue;
     double best = 0;
     for (auto at = shared.lower_bound({c, 0}); at != shared.end() && at->first.first == c; ++at)

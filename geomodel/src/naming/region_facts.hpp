@@ -17,7 +17,7 @@ struct ComponentFacts {
   std::size_t n_tetrahedra = 0;
   double volume = 0;
   Vec3 centroid;
-  Vec3 inside_point;          ///< centroid of the component's largest tetrahedron
+  Vec3 inside_point;          ///< centroid of the largest tetrahedron of the component
   Vec3 min_point, max_point;  ///< Least and greatest point of the component, ordered by x, then y, then z.
   /// The lexicographically first (surface, triangle, side) of the component's faces; side is 0 if the component is
   /// below the triangle.
@@ -31,7 +31,7 @@ inline std::span<const PolygonSoup::Origin> origins_of(const PolygonSoup& soup, 
   return {soup.origins.data() + soup.origin_offsets[s], soup.origins.data() + soup.origin_offsets[s + 1]};
 }
 
-/// Returns the component of a tetrahedron, or no_index if `tetrahedron` is no_index, which stands for the outside.
+/// Returns the component to which a tetrahedron belongs; no_index if `tetrahedron` is no_index, that is, the outside.
 inline Index component_of(const ConstrainedTetrahedralization& mesh, Index tetrahedron) {
   return tetrahedron == no_index ? no_index : mesh.component[tetrahedron];
 }
@@ -42,7 +42,6 @@ std::vector<ComponentFacts> component_facts(const ConstrainedTetrahedralization&
 
 /// Formats a point as "(x, y, z)", with six digits after the leading digit of the largest coordinate.
 std::string to_text(const Vec3& place);
-/// Formats a number with four significant digits.
 std::string to_text(double measure);
 
 }  // namespace geomesh::geomodel

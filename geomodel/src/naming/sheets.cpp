@@ -47,7 +47,7 @@ void for_each_group(const std::vector<DirectedEdge>& edges, F&& visit) {
 
 struct Link {
   Index to;
-  bool same_side;  ///< whether the normals of both triangles point to the same side of the surface
+  bool same_side;  ///< whether the normals of both triangles at an edge point to the same side of the surface
 };
 
 std::vector<std::vector<Link>> sheet_links(const TriangulatedSurface& surface) {

@@ -32,7 +32,8 @@ class SourceTriangles {
 
   const MeshedModel& meshed_;
   std::map<Index, std::vector<Index>> candidates_;  ///< by facet
-  std::map<Index, SurfaceDistance> searches_;       ///< search structure of each surface, made when first needed
+  /// For each surface, the search structure for distances from it, made at its first use.
+  std::map<Index, SurfaceDistance> searches_;
 };
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Sums without cancellation, and volumes and areas that are summed in this way.
+/// Compensated floating-point sums, and volumes and areas that are summed in this way.
 #pragma once
 
 #include <cmath>

@@ -12,8 +12,8 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t most_asked = 64;   // largest number of tetrahedra sampled in a component
-constexpr double least_majority = 0.75;  // least share of conclusive samples, by volume, that must agree on a unit
-constexpr double least_telling = 0.25;   // least share of all samples, by volume, that must be conclusive
+constexpr double least_majority = 0.75;  // share of conclusive samples, by volume, that must agree on one unit
+constexpr double least_telling = 0.25;   // least volume of conclusive samples, relative to all samples of the component
 
 /// The units that the horizons leave possible at one of the component's largest tetrahedra, and its volume.
 struct Answer {
@@ -48,9 +48,10 @@ double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
   return volume;
 }
 
-/// The horizons leave a range of units possible at each sampled tetrahedron. Returns the single unit that most ranges
-/// of one unit give, by volume. Without such a majority, drops from the ends of `possible` the units that most of the
-/// narrower ranges exclude. Returns `possible` if too few ranges are narrower.
+/// Each sampled tetrahedron has a range of units that the horizons leave possible there. If most of the tetrahedra
+/// whose range is a single unit agree on it, by volume, returns that unit. Otherwise drops units from the ends of
+/// `possible` that most of the ranges other than `possible` exclude. Returns `possible` if too few ranges differ from
+/// it.
 UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& possible) {
   const double all = volume_of(answers, [](const UnitRange&) { return true; });
   const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // empty ranges, too
@@ -75,7 +76,8 @@ UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& pos
   return left.empty() ? possible : left;
 }
 
-/// Restricts the verdict to the units `left`, which the order of deposition of the horizons leaves possible.
+/// Restricts the verdict on a component's unit to the range `left`, which the order of deposition of the horizons
+/// leaves possible.
 void narrow(UnitVerdict& verdict, const UnitRange& possible, const UnitRange& left) {
   if (left == possible) return;
   if (left.first == left.last) {

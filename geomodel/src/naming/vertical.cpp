@@ -26,7 +26,8 @@ double height_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
 class Nearest {
  public:
   explicit Nearest(const Vec3& p) : p_(p) {}
-  /// If horizons coincide, the unit below them is that of the oldest, and the unit above them that of the youngest.
+  /// If several horizons coincide above the point, the oldest of them bounds its unit; if they coincide below it, the
+  /// youngest does.
   void look_at(Index horizon, const Vec3& a, const Vec3& b, const Vec3& c) {
     const double z = height_at(a, b, c, p_);
     if (z >= p_.z && (z < over_ || (z == over_ && horizon > above_))) over_ = z, above_ = horizon;

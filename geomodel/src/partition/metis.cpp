@@ -47,7 +47,7 @@ std::vector<std::int32_t> parts_by_metis(const std::vector<Neighbours>& across, 
     refuse("there are " + std::to_string(n) + " tetrahedra for " + std::to_string(n_parts) + " parts");
   std::vector<idx_t> first{0}, neighbours, part(n, 0);
   first.reserve(n + 1);
-  std::vector<double> cuts;  // weights of the faces between neighbours, in the order of `neighbours`
+  std::vector<double> cuts;  // weights of the faces between neighbouring cells, in the order of `neighbours`
   for (std::size_t t = 0; t < n; ++t) {
     for (std::size_t i = 0; i < 4; ++i) {
       if (across[t][i] == no_neighbour) continue;

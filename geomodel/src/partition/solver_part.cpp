@@ -7,10 +7,11 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Solids of a mesh, numbered block by block, and their numbers in one part.
+/// Solids (volume cells) of a mesh, numbered block by block, and their numbers in one part of the mesh.
 struct Solids {
-  std::vector<std::size_t> row;      ///< row of the tetrahedron of each solid
-  std::vector<std::uint32_t> local;  ///< number of each solid in the part, or no_cell if the part does not have it
+  std::vector<std::size_t> row;  ///< for each solid (volume cell): the row of its tetrahedron
+  /// Number of each solid (volume cell) in the mesh part, or no_cell if the part does not have it.
+  std::vector<std::uint32_t> local;
 };
 
 Solids solids_of(const SolverMesh& whole, const MeshPart& part) {

@@ -16,7 +16,6 @@ class Journal {
  public:
   explicit Journal(const RunContext& context) : context_(context) {}
 
-  /// Returns the caller's context, which provides log, progress, cancellation and threads.
   const RunContext& context() const { return context_; }
 
   /// Adds a note: a finding in the surfaces before meshing, or a change made by rules.
@@ -31,7 +30,7 @@ class Journal {
   void warn_all(std::vector<std::string> texts) {
     for (std::string& text : texts) warn(std::move(text));
   }
-  /// Adds to the report warnings that were already passed to the log.
+  /// Adds warnings to the report that were already passed to the log.
   void keep_warnings(const std::vector<std::string>& texts) {
     warnings_.insert(warnings_.end(), texts.begin(), texts.end());
   }

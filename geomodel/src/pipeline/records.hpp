@@ -27,7 +27,7 @@ struct Inputs {
   std::vector<NamedPoint> points;
   std::vector<FittedTop> tops;  ///< of wells
   std::optional<PlcFile> plc;   ///< For `geomesh mesh`: a PLC that the engine meshes unchanged, in place of surfaces.
-  bool closed_are_bodies = false;  ///< for `geomesh mesh`: closed surfaces name regions, although they cut nothing
+  bool closed_are_bodies = false;  ///< for `geomesh mesh`: closed surfaces name the regions inside, but cut no surface
   bool has_rules = false;          ///< whether the stage build applies rules of a project
   NamingRules naming;
   ModelRules rules;
@@ -38,7 +38,7 @@ struct Inputs {
   Vec3 origin{0, 0, 0};
   std::string system = "local", unit = "m";  ///< coordinate system and unit of the mesh, as the report names them
   double z_scale = 1;                        ///< factor by which z is multiplied after `build` until the mesh is named
-  bool curved_faces = false;  ///< whether the output has second order; corners of faces are then kept on surfaces
+  bool curved_faces = false;  ///< whether elements have second order; corners of mesh faces then stay on surfaces
   std::string description;    ///< description of the inputs for the report, as the text of a JSON object
   std::vector<std::string> doubted;  ///< names of inputs that a warning already concerns, so that no second one follows
 };
@@ -75,10 +75,9 @@ struct ModelRecords {
   const Arranged& arranged;
 };
 
-/// The result of the meshing stages: the mesh, in unscaled heights.
 struct Meshed {
   RefineResult refined;
-  RefinementSettings used;  ///< requested mesh settings, with derived sizes and the tolerance that remeshing used
+  RefinementSettings used;  ///< mesh settings as requested, with derived sizes and the tolerance that remeshing used
   NamingRules naming;       ///< naming rules without topography and floor, because parts beyond these were removed
   /// Volume of each component before surfaces were moved within a tolerance; empty if none was moved.
   std::vector<double> volumes_of_input;

@@ -61,13 +61,13 @@ class BoxDoubts {
     }
   }
 
-  /// Compares the lengths of the horizons if the box is a margin around the data. Horizons that were already reported
-  /// as misplaced, or in another unit, are ignored.
+  /// Compares the horizontal lengths of the horizons if the box is a margin around the data. Horizons that were already
+  /// reported as misplaced, or in another unit, are ignored.
   void compare_horizons() {
     std::erase_if(horizons_, [&](const Extent& e) {
       return std::ranges::any_of(findings_, [&](const Finding& f) { return std::ranges::count(f.inputs, e.name) > 0; });
     });
-    if (horizons_.size() < 3) return;  // of only two horizons, either could have the wrong length, so none is reported
+    if (horizons_.size() < 3) return;  // with only two horizons, the data of either could be wrong, so none is reported
     for (std::size_t axis = 0; axis < 2; ++axis) {
       std::vector<Extent> rest = horizons_;
       const auto longest = std::ranges::max_element(rest, {}, [&](const Extent& e) { return e.along(axis); });

@@ -10,8 +10,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t most_samples = 500;  // triangles sampled on each horizon outside the stratigraphic column
-/// Two horizons count as not crossing if at least this share of the samples lies on one side.
+constexpr std::size_t most_samples = 500;  // largest number of triangles sampled on one horizon
+/// One horizon counts as above another if at least this share of its sampled points is above.
 constexpr double nearly_all = 0.98;
 
 using HeightMap = std::function<double(double)>;
@@ -35,7 +35,6 @@ int side_of(const TriangulatedSurface& surface, const MapLocator& other, const H
   return static_cast<double>(above) >= least ? 1 : static_cast<double>(below) >= least ? -1 : 0;
 }
 
-/// Returns the horizons of the stratigraphic column, from the youngest to the oldest.
 std::vector<const TriangulatedSurface*> horizons_in_column(const Inspected& model) {
   std::vector<const TriangulatedSurface*> horizons;
   const std::vector<std::string>& column = model.project.column;
@@ -55,7 +54,7 @@ std::vector<MapLocator> locators_of(const std::vector<const TriangulatedSurface*
 /// the box: only its order in the stratigraphic column reveals the error.
 void doubt_units(const Inspected& model, std::vector<Finding>& findings) {
   const std::vector<const TriangulatedSurface*> horizons = horizons_in_column(model);
-  if (horizons.size() < 3) return;  // of only two horizons, either could be in the wrong unit, so none is reported
+  if (horizons.size() < 3) return;  // with only two horizons, either could be in the wrong unit, so none is reported
   const std::vector<MapLocator> locators = locators_of(horizons);
   // whether two horizons are in another order than in the stratigraphic column
   const auto is_against = [&](std::size_t one, std::size_t other, const HeightMap& map) {
@@ -102,7 +101,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
   for (const TriangulatedSurface& s : surfaces) {
     const bool is_named = std::find(column.begin(), column.end(), s.name) != column.end();
     if (s.kind != SurfaceKind::horizon || is_named || s.ends_model || s.triangles.empty()) continue;
-    std::string above, below;  // names of the nearest horizons above and below that are in the stratigraphic column
+    std::string above, below;  // the column's horizons next above and next below this surface
     bool in_order = true;
     for (std::size_t k = 0; in_order && k < locators.size(); ++k) {
       const int side = side_of(s, locators[k]);
@@ -110,7 +109,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
       if (side < 0) above = names[k];
       if (side > 0 && below.empty()) below = names[k];
     }
-    if (!in_order) continue;  // a surface that crosses the column's horizons may be an isotherm or a fluid contact
+    if (!in_order) continue;  // it crosses horizons of the column: an isotherm or a fluid contact
     left_out.push_back(s.name);
     places += (places.empty() ? "" : ", ") + s.name +
               (above.empty()   ? " above " + below

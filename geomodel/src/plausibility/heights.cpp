@@ -9,7 +9,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Statistics of the heights of one horizon.
 struct Heights {
   std::string name;
   double least = 0, greatest = 0;
@@ -49,7 +48,7 @@ void doubt_heights(const Inspected& model, std::vector<Finding>& findings) {
   constexpr Unit units[] = {{1000, "a thousandth", "kilometres where metres were understood", "km"},
                             {0.001, "a thousand times", "metres where kilometres were understood", "m"}};
   const std::vector<Heights> all = heights_of_horizons(model);
-  if (all.size() < 3) return;  // of only two horizons, either could be in the wrong unit, so none is reported
+  if (all.size() < 3) return;  // with only two horizons, either could be in the wrong unit, so none is reported
   for (const Heights& one : all) {
     std::vector<double> sizes, reliefs;
     double least = 0, greatest = 0;  // over the others

@@ -28,7 +28,7 @@ Box3 mapped(const Box3& box, const std::function<Vec3(const Vec3&)>& map) {
 
 struct Factor {
   double factor;
-  const char* words;  ///< names of the unit that was used and of the one that was understood
+  const char* words;  ///< names of the unit that coordinates may have, and of the one in which they were understood
 };
 constexpr Factor factors[] = {{foot, "feet where metres were understood"},
                               {1 / foot, "metres where feet were understood"},
@@ -59,7 +59,7 @@ std::optional<Guess> guess_in_map(const Box3& b, const Box3& model) {
     if (over_each_other(mapped(b, [&](const Vec3& p) { return Vec3{f.factor * p.x, f.factor * p.y, p.z}; }), model))
       return Guess{"unit", std::string("it would lie over the box if its coordinates were in ") + f.words,
                    "if so, give 'unit' in its entry"};
-  // Eastings are often written with the number of the UTM zone in front, as in 32432500.
+  // Data from the UTM system often have the zone's number in front of the easting, as in 32432500.
   const double zone = std::round((0.5 * (b.min.x + b.max.x) - 0.5 * (model.min.x + model.max.x)) / 1e6);
   if (zone != 0 && std::abs(zone) <= 60 &&
       over_each_other(mapped(b,
@@ -93,7 +93,6 @@ std::optional<Guess> guess_in_height(const Box3& b, const Box3& model) {
   return std::nullopt;
 }
 
-/// A surface or a well with its bounding box.
 struct Placed {
   std::string name;
   Box3 bounds;
@@ -101,7 +100,6 @@ struct Placed {
   Extend extend = Extend::none;
 };
 
-/// Inputs whose wrong position has the same suspected cause.
 struct Outside {
   Guess guess;
   std::vector<std::string> names;
@@ -141,7 +139,7 @@ bool may_come_in(const Placed& input, const Box3& box) {
   return input.extend == Extend::tangent || overlap(b.min.z, b.max.z, box.min.z, box.max.z);
 }
 
-/// Returns the share of the heights between a and b that lie between the bottom and the top of the box.
+/// Returns which share of the interval of heights between a and b is between the bottom and the top of the box.
 double share_within(double a, double b, const Box3& box) {
   const double low = std::max(std::min(a, b), box.min.z), high = std::min(std::max(a, b), box.max.z);
   return a == b ? (low <= high ? 1 : 0) : std::max(0.0, high - low) / std::abs(b - a);
@@ -183,7 +181,7 @@ bool is_box_in_kilometres(const std::vector<Placed>& inputs, const Box3& box) {
     all.add(input.bounds.min);
     all.add(input.bounds.max);
   }
-  constexpr double least = 50;  // The surfaces must extend this many times farther than the box in x and in y.
+  constexpr double least = 50;  // the extent of all surfaces must exceed that of the box by this factor, in x and in y
   return any && every && all.max.x - all.min.x > least * (box.max.x - box.min.x) &&
          all.max.y - all.min.y > least * (box.max.y - box.min.y);
 }
@@ -247,8 +245,8 @@ void doubt_places_in(const Inspected& model, const std::vector<Placed>& inputs, 
   }
 }
 
-/// Finds a surface beside all others if the box is placed around the data, and if a change of coordinates or unit would
-/// move the surface to the others.
+/// Finds a surface or well beside all other surfaces in the map, if the box is placed around the data and a change of
+/// coordinates or unit would move it to the others.
 void doubt_places_about(const std::vector<Placed>& inputs, std::vector<Finding>& findings, const std::string& unit) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     Box3 others;
@@ -268,7 +266,7 @@ void doubt_places_about(const std::vector<Placed>& inputs, std::vector<Finding>&
                         map_range(others) + ", " + unit + "); " + guess->text,
                     guess->remedy};
     findings.push_back(std::move(finding));
-    if (inputs.size() == 2) return;  // of only two inputs, either may be misplaced, so the second is not reported too
+    if (inputs.size() == 2) return;  // with only two inputs, either may be misplaced, so the second is not reported too
   }
 }
 

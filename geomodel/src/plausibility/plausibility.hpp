@@ -18,12 +18,12 @@ struct Finding {
   enum class Sureness {
     certain,   ///< the input is certainly wrong and no model is possible, so the run ends
     probable,  ///< a warning
-    possible,  ///< the oddity may be intended, so it is reported as a note
+    possible,  ///< the input is odd, but may be meant so: a note
   };
   Sureness sureness = Sureness::probable;
   std::string cause;                ///< cause in one or two words for programs: "outside", "open body", ...
   std::vector<std::string> inputs;  ///< surfaces or wells
-  std::string text;                 ///< text for the user: what is odd, and where
+  std::string text;                 ///< text for the user: what is odd in the inputs, and where
   std::string remedy;               ///< remedy for the user, with the key of the project file
 };
 

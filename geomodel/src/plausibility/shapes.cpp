@@ -74,7 +74,7 @@ void doubt_kind(const Inspected& model, const TriangulatedSurface& s, std::vecto
                         {s.name},
                         "horizon " + s.name + " dips by " + short_words(dip) + " degrees in the mean, as a fault does",
                         "if it is one, give kind: fault"});
-  const bool is_fracture = s.file == "fractures";  // kind fault is the program's choice for fractures, not the user's
+  const bool is_fracture = s.file == "fractures";  // fractures are faults by default, so the user did not choose that
   if (s.kind == SurfaceKind::fault && is_level && !is_fracture)
     findings.push_back({Finding::Sureness::probable,
                         "level fault",
@@ -209,7 +209,6 @@ void doubt_duplicates(const Inspected& model, std::vector<Finding>& findings) {
   }
 }
 
-/// Finds wells with identical paths.
 void doubt_duplicate_wells(const Inspected& model, std::vector<Finding>& findings) {
   std::map<std::vector<std::tuple<double, double, double>>, std::string> known;
   for (const Polyline& well : model.inputs.wells) {
@@ -238,7 +237,8 @@ void doubt_spikes(const Inspected& model, const TriangulatedSurface& s, std::vec
 }  // namespace
 
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings) {
-  // Surfaces with an earlier finding are left out: a wrong unit, for example, also changes the shape.
+  // Inputs that another check has already reported are left out, because a wrong unit, for example, also changes the
+  // shape of a surface.
   std::set<std::string> elsewhere;
   for (const Finding& finding : findings) elsewhere.insert(finding.inputs.begin(), finding.inputs.end());
   for (std::size_t s = 0; s < model.inputs.surfaces.size(); ++s) {

@@ -13,16 +13,15 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double least_over_steps = 10;    ///< least height of a spike, relative to the height differences around it
-constexpr double least_over_range = 0.25;  ///< least height of a spike, relative to the range of most heights
-constexpr double part_of_each_end = 0.05;  ///< share of the heights left out as extreme, at each end of the range
+constexpr double least_over_range = 0.25;  ///< least height of a spike, relative to the horizon's height range
+constexpr double part_of_each_end = 0.05;  ///< share of a horizon's vertices ignored at each end of its height range
 constexpr std::size_t least_neighbours = 3;
 constexpr std::size_t least_vertices = 100;  ///< surfaces with fewer vertices are skipped: a spike may be a real summit
 
-/// Heights of one vertex relative to its neighbours.
 struct Around {
-  double above = std::numeric_limits<double>::infinity();  ///< least height of the vertex above a neighbour
-  double below = std::numeric_limits<double>::infinity();  ///< least depth of the vertex below a neighbour
-  double step = 0;  ///< largest height difference between two neighbours of the vertex
+  double above = std::numeric_limits<double>::infinity();  ///< height above the vertex's highest neighbour
+  double below = std::numeric_limits<double>::infinity();  ///< depth below the vertex's lowest neighbour
+  double step = 0;  ///< largest height difference between two neighbours of the vertex that are joined by an edge
   std::size_t n_triangles = 0;
 };
 
@@ -40,7 +39,7 @@ std::vector<Around> surroundings(const TriangulatedSurface& s) {
   return around;
 }
 
-/// Returns the value below which the given share of all values lies. Reorders the values.
+/// Returns the value below which the share `part` of the values lies. Changes their order.
 double quantile(std::vector<double>& values, double part) {
   const auto row = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + row, values.end());

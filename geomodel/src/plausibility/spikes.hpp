@@ -12,9 +12,9 @@ namespace geomesh::geomodel {
 
 struct Spikes {
   std::size_t n = 0;
-  Vec3 place;         ///< the spike that stands out most
+  Vec3 place;         ///< position of the highest spike of the surface, compared with its surroundings
   double height = 0;  ///< vertical distance of the spike from its nearest neighbour; negative if below all
-  double around = 0;  ///< largest vertical step between adjacent neighbours of the spike
+  double around = 0;  ///< largest height difference between two neighbours of the spike that are joined by an edge
 };
 
 /// Returns inner vertices that lie far above, or far below, all of their neighbours. The vertical distance of such a
@@ -26,7 +26,6 @@ Spikes find_spikes(const TriangulatedSurface& surface);
 /// Formats spikes as "2 vertices stand far above or below all of their neighbours, ..."; `origin` is added to places.
 std::string spikes_words(const Spikes& spikes, const Vec3& origin);
 
-/// Advice that follows a message about spikes.
 constexpr const char* spikes_remedy =
     "if it is a slip in the file, correct it there; no_data: VALUE in the entry leaves out all points of that height";
 

@@ -164,7 +164,7 @@ class DomainReader {
   void problem(const std::string& text) const { root_.problem("surface '" + spec_.name + "': " + text); }
 
   static bool overlap(const FieldPart& a, const FieldPart& b) {
-    if (a.block && b.block) return false;  // whether two points lie in the same fault block is only known later
+    if (a.block && b.block) return false;  // only later it is known which points lie in one fault block
     for (const auto& [fault, is_above] : a.sides)
       for (const auto& [other, is_other_above] : b.sides)
         if (fault == other && is_above != is_other_above) return false;

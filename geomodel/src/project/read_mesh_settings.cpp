@@ -94,7 +94,6 @@ void read_background(const YamlValue& value, const Project& project, NamedSizes&
     value.problem("there is no file '" + *text + "' (looked for as " + sizes.background.string() + ")");
 }
 
-/// Reads a frequency in hertz, written as 5 or 5 Hz.
 void read_frequency(const YamlValue& value, double& frequency) {
   const std::string text = value.scalar();
   const std::size_t end = text.find_last_not_of(" Hhz");

@@ -164,7 +164,7 @@ class ProjectReader {
                     " holds a quote, a comma, a slash, a control character or a blank at its end");
       return false;
     }
-    constexpr std::size_t longest_name = 200;  // file systems allow 255 bytes, and suffixes are added to names
+    constexpr std::size_t longest_name = 200;  // in bytes: file systems allow 255, and suffixes are added
     if (text->size() > longest_name) {
       value.problem("the name " + in_quotes(*text) + " has " + std::to_string(text->size()) + " bytes; at most " +
                     std::to_string(longest_name) + " are taken, as files are named by it");
@@ -183,7 +183,6 @@ class ProjectReader {
     }
   }
 
-  /// Resolves a path against the project's folder; reports a missing file.
   void read_file(const YamlValue& value, std::filesystem::path& file, std::string& as_written) {
     const auto text = value.text();
     if (!text) return;
@@ -219,7 +218,8 @@ class ProjectReader {
     return at == given_fields_->end() ? nullptr : at->second;
   }
 
-  /// Returns the earlier entry of this surface, if it and this entry have fields with domains; null if there is none.
+  /// Returns an earlier entry of the project for the same surface, if that entry and this one both make it from fields
+  /// that are valid in a part of the model; null if there is none.
   SurfaceSpec* first_entry(const YamlMap& map, const std::string& name) {
     const auto first = std::find_if(project_.surfaces.begin(), project_.surfaces.end(),
                                     [&](const SurfaceSpec& s) { return s.name == name; });
@@ -367,7 +367,6 @@ class ProjectReader {
     project_.points.push_back(std::move(point));
   }
 
-  /// Reads the stratigraphic column as a list: unit, horizon, unit, ..., unit.
   void read_column(const YamlValue& value) {
     const std::vector<YamlValue> items = value.items();
     if (!value.is_list()) return;

@@ -21,7 +21,6 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec);
 void read_model_rules(const YamlValue& value, Project& project);
 /// Reads the key `regions`: names assigned by seed points.
 void read_region_seeds(const YamlValue& value, Project& project);
-/// Reads the keys `groups` and `attributes`.
 void read_groups(const YamlValue& value, Project& project);
 void read_attributes(const YamlValue& value, Project& project);
 /// Reads the key `colours`, after units and surfaces are known.

@@ -55,7 +55,7 @@ bool read_polygon(const YamlValue& value, VolumeSpec& spec) {
     if (const auto corner = read_pair(item, "[x, y]")) spec.polygon.push_back(*corner);
   if (spec.polygon.size() > 1 && spec.polygon.front().x == spec.polygon.back().x &&
       spec.polygon.front().y == spec.polygon.back().y)
-    spec.polygon.pop_back();  // The polygon repeats its first corner at the end, as many programs write it.
+    spec.polygon.pop_back();  // drop the last corner: many programs repeat the first one
   if (value.is_list() && spec.polygon.size() < 3) value.problem("at least three corners [x, y] were expected");
   return true;
 }

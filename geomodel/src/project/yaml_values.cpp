@@ -19,7 +19,8 @@ Place place_of(const YAML::Node& node, Place fallback) {
   return mark.is_null() || mark.line < 0 ? fallback : Place{mark.line + 1, mark.column + 1};
 }
 
-/// Keys and the map to which they belong, for messages: users write keys of rules in surfaces and vice versa.
+/// The map of a project file in which each key belongs, for messages. Users write keys of rules in entries of surfaces,
+/// and vice versa.
 const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> homes{
     {"rules",
      {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions", "min_thickness",

@@ -76,12 +76,12 @@ class YamlMap {
 std::optional<YamlValue> find_renamed(const YamlMap& map, std::string_view name, std::string_view former,
                                       std::vector<std::string>& notes);
 
-/// Returns the entries of a map whose keys are user-chosen names; if it is no map, reports that `expected` was
-/// expected.
+/// Returns the entries of a YAML map whose keys are user-chosen names. Reports that `expected` was expected if the
+/// value is no map.
 std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected);
 
 struct YamlDocuments {
-  YAML::Node first;  ///< the first YAML document; null if the text has none
+  YAML::Node first;  ///< the first YAML document in a text; null if there is none
   bool has_more = false;
 };
 

@@ -25,7 +25,7 @@ FileContents with_surface(const FileContents& contents, const TriangulatedSurfac
   return part;
 }
 
-/// Divides a file of polylines into objects, one for the lines of each name, in the order of the names in the file.
+/// Divides the polylines of a file into objects, one with all lines of each name, in the order of the names.
 std::vector<FileContents> objects_of_lines(const FileContents& contents) {
   std::vector<FileContents> objects;
   std::map<std::string, std::size_t> row_of;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Splits a file into the objects that it contains.
+/// Divides the contents of an input file into its objects: surfaces, point sets and named lines.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the contents of one file as several, one for each surface and each point set. All have the format and the
-/// frame of the file; its warnings and notes are in the first one.
+/// Divides the contents of one file into several, one for each surface and each point set. All have the format and the
+/// coordinate frame of the file; its warnings and notes are in the first one.
 std::vector<FileContents> objects_of_file(const FileContents& contents);
 
 /// Returns the contents of a file with only the surface or point set of this name; without any object if there is none.

@@ -62,7 +62,7 @@ const Format* by_extension(const InputFile& file) {
 
 /// A file format from which no surface can be read, with advice on what to do instead.
 struct Stranger {
-  std::string_view begins;  ///< first bytes of any such file; empty if only the extension identifies the format
+  std::string_view begins;  ///< first bytes of a file of the format; empty if only the extension identifies it
   const char* extensions;   ///< blank-separated
   const char* advice;
 };
@@ -123,9 +123,9 @@ void keep_used_points(TriangulatedSurface& surface) {
   surface.points = std::move(kept);
 }
 
-/// Returns whether a surface is a layer: the triangles without these heights are most of it, and have one height over
-/// each place of the map, like a horizon. Only then are the heights removed; otherwise the flat base of a fault or
-/// body, which is far from its other vertices too, would be lost.
+/// Returns whether a surface is a layer, like a horizon, apart from unusual heights (`odd`): most triangles have no
+/// such corner, and these have one height over each place of the map. Only then are the unusual heights removed;
+/// otherwise the flat base of a fault or body, which is far from its other vertices too, would be lost.
 bool is_layer_without(const TriangulatedSurface& s, const std::vector<double>& heights,
                       std::span<const OddHeight> odd) {
   const auto is_odd = [&](VertexIndex v) {
@@ -203,7 +203,7 @@ void drop_no_data(const InputFile& file, FileContents& contents) {
     });
     if (surface.triangles.empty()) file.fail("no triangle of '" + surface.name + "' has heights at its corners");
     keep_used_points(surface);
-    contents.regions.clear();  // regions refer to rows of triangles, some of which were removed
+    contents.regions.clear();  // The regions of a GOCAD model refer to rows of triangles, some of which were removed.
   }
   for (PointSet& set : contents.point_sets) {
     const std::vector<double> heights = heights_in_file(set.points, contents.frame);

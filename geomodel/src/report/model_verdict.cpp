@@ -15,7 +15,7 @@ bool has_faces(const ModelMesh& mesh, const std::string& surface) {
                      [&](const NamedSurface& s) { return s.name == surface && s.area > 0; });
 }
 
-/// Returns whether a name joined from several units ("a+b") contains this unit.
+/// Returns whether the name of joined units, such as "a+b", contains the given unit.
 bool is_part(const std::string& joined, const std::string& unit) {
   for (std::size_t begin = 0; begin <= joined.size();) {
     const std::size_t end = std::min(joined.find('+', begin), joined.size());
@@ -30,7 +30,7 @@ std::string reason_of(const std::vector<std::string>& column, std::size_t i, con
     if (const std::string& name = unit_of(region); name.find('+') != std::string::npos && is_part(name, column[i]))
       return "in one region, " + name;
   std::string absent;
-  for (const std::size_t k : {i - 1, i + 1})  // the unit's horizons; i - 1 wraps around for i = 0 and is skipped
+  for (const std::size_t k : {i - 1, i + 1})  // horizons above and below unit i; i - 1 wraps around for i = 0
     if (k < column.size() && !has_faces(mesh, column[k])) absent += (absent.empty() ? "" : ", ") + column[k];
   if (!absent.empty()) return absent + " not in the model";
   return "no room left between its horizons in the box";

@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 /// A unit of the stratigraphic column without a region of its own.
 struct MissingUnit {
   std::string name;
-  std::string reason;  ///< reason for the missing region: "its top base_chalk is not in the model", ...
+  std::string reason;  ///< why the unit has no region: "its top base_chalk is not in the model", ...
 };
 
 /// Returns the units of the stratigraphic column (unit, horizon, unit, ...) for which no region is named, in its order.

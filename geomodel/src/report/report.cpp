@@ -49,7 +49,6 @@ json voronoi_json(const VoronoiDual& d) {
           {"least_relative_area", d.least}};
 }
 
-/// Returns the names of the input surfaces and box sides, by surface index.
 std::vector<std::string> surface_names(const Report& report) {
   if (!report.surface_names.empty() || !report.mesh) return report.surface_names;
   std::vector<std::string> names;

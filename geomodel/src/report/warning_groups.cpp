@@ -9,7 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::string_view left_out = "...";  ///< replaces names and numbers in the common text of grouped warnings
+constexpr std::string_view left_out = "...";  ///< stands for names and numbers in which warnings of a group differ
 constexpr const char* ends_of_statement = ":;(";
 
 bool is_name_or_number(std::string_view word) {
@@ -53,7 +53,7 @@ std::string warning_cause(std::string_view warning) {
 std::string warning_statement(std::string_view warning) {
   const std::size_t said_at = warning.size() - without_prefix(warning).size();
   std::string_view statement = warning.substr(0, warning.find_first_of(ends_of_statement, said_at));
-  for (const std::string_view end : {" ", ", near"})  // the end of a message such as "..., near (x, y, z)"
+  for (const std::string_view end : {" ", ", near"})  // a position may follow in the message: "..., near (x, y, z)"
     while (statement.ends_with(end)) statement.remove_suffix(end.size());
   return std::string(statement.empty() ? warning : statement);
 }

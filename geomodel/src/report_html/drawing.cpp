@@ -14,7 +14,7 @@ namespace {
 
 constexpr double picture_width = 760, margin_left = 70, margin_bottom = 40, margin_top = 12, margin_right = 30;
 
-/// Transformation from coordinates in a section to those of the picture, with y downwards.
+/// Transformation from the two coordinates in a plane section of the mesh to those of a picture, with y downwards.
 struct Frame {
   Vec2 low, high;  ///< bounds of the model in the plane of the section
   double scale_u, scale_v;
@@ -109,7 +109,7 @@ std::string number(double value) {
     std::snprintf(text, sizeof text, "%.4g", value);
     return text;
   }
-  std::snprintf(text, sizeof text, "%.3e", value);  // text of the number rounded to four digits
+  std::snprintf(text, sizeof text, "%.3e", value);  // text of the size, rounded to four digits
   const double rounded = std::strtod(text, nullptr);
   const int power = static_cast<int>(std::floor(std::log10(std::abs(rounded))));
   std::snprintf(text, sizeof text, "%.*f", std::max(0, 3 - power), rounded);

@@ -22,7 +22,6 @@ std::string number(double value);
 /// Formats a coordinate with all its digits and no exponent, rounded to a millionth of `range`.
 std::string coordinate(double value, double range);
 
-/// Formats a length in a picture: pixels with one decimal.
 std::string pixels(double value);
 
 /// Draws a section of the mesh as SVG with axes: units filled in their colours (indexed by region id - 1), mesh edges

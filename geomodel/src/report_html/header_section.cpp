@@ -15,7 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Returns the date of the report, such as "27 November 2026, 15:48 UTC".
 std::string date_words() {
   static constexpr std::array<const char*, 12> months{"January",   "February", "March",    "April",
                                                       "May",       "June",     "July",     "August",
@@ -70,7 +69,6 @@ std::string system_words(const Json& crs, const Vec3& origin) {
   return out;
 }
 
-/// Describes the requested target size, and the resulting edge lengths.
 std::string size_words(const Report& report, const Json& asked) {
   std::string out;
   const std::string& unit = report.mesh->unit;

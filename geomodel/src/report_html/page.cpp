@@ -37,7 +37,7 @@ std::string cell(const std::string& text, bool is_number = false) {
 }
 
 std::string regions_table(const ModelMesh& mesh, const MeshColours& colours) {
-  std::vector<std::string> bodies(mesh.regions.size());  // names of other bodies that contain each region
+  std::vector<std::string> bodies(mesh.regions.size());  // by region: names of the bodies around it, not its own
   for (std::size_t i = 0; i < mesh.regions.size(); ++i)
     for (const std::string& body : mesh.regions[i].inside)
       if (body != mesh.regions[i].name) bodies[i] += (bodies[i].empty() ? "" : ", ") + body;
@@ -100,7 +100,6 @@ std::string warnings(const Report& report) {
          out + "</details>\n";
 }
 
-/// Lists the notes, collapsed if there are more than a few.
 std::string notes(const Report& report) {
   if (report.notes.empty()) return {};
   constexpr std::size_t few = 5;

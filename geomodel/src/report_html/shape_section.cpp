@@ -74,7 +74,6 @@ std::string edges_against_size(const ShapeStatistics& s) {
   return out + "</tr></table></div>\n";
 }
 
-/// Formats a position with digits down to a millionth of `range`.
 std::string place_words(const Vec3& place, double range) {
   return coordinate(place.x, range) + ", " + coordinate(place.y, range) + ", " + coordinate(place.z, range);
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double picture_width = 300;
 constexpr std::size_t n_shades = 12;
 
-/// Returns shades from pale to dark; shade 0 marks positions where the unit is absent.
+/// Returns the colours of thickness maps from pale to dark. Number 0 marks places where the unit is absent.
 std::string shade(std::size_t row) {
   const double t = static_cast<double>(row) / static_cast<double>(n_shades);
   const auto mix = [t](double from, double to) { return static_cast<int>(from + t * (to - from)); };

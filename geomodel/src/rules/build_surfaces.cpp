@@ -17,7 +17,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the box enlarged in the map by horizons with throw, so that none continues around a fault's extension.
+/// Returns the box, enlarged in the map to contain horizons with throw, lest these continue around a fault's extension.
 Box3 reach_of_continuations(const BuiltSurfaces& built, const ModelRules& rules) {
   Box3 reach = *rules.box;
   for (std::size_t s = 0; s < built.surfaces.size(); ++s)
@@ -103,7 +103,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
     if ((rule.extend != Extend::none || rule.has_throw()) && !rules.box)
       throw Error(ErrorKind::usage,
                   "surface " + surface.name + ": extend needs a box to extend to; give the project a box");
-    // Skips faults that were extended, and their holes filled, before this loop.
+    // Skips faults that were already extended to separate blocks, after their holes were filled.
     if (built.rows.first_only_parting[s] != no_index) continue;
     if (rule.fill_holes > 0) fill_holes(surface, rule.fill_holes, log);
     if (surface.kind == SurfaceKind::body) {

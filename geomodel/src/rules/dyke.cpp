@@ -66,7 +66,7 @@ std::vector<Vec3> offsets(const TriangulatedSurface& sheet, const std::vector<Ve
     const Triangle& t = sheet.triangles[row];
     const Vec3 area = area_vector(sheet.points, t);
     const double length = norm(area);
-    if (!(length > 0)) continue;  // a needle whose area is zero in doubles; its neighbours determine the direction
+    if (!(length > 0)) continue;  // a needle of zero area in doubles; other triangles at its corners give the normals
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &p = sheet.points[t[i]], &q = sheet.points[t[(i + 1) % 3]], &r = sheet.points[t[(i + 2) % 3]];
       corners.push_back({merged[t[i]], row, (1 / length) * area, angle_between(q - p, r - p)});

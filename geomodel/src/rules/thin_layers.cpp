@@ -44,8 +44,8 @@ std::string told(const std::string& unit, const ModelRules& rules, const ThinPla
 
 /// A horizon interpolated on the common triangulation of several horizons in the map.
 struct Draped {
-  std::vector<bool> has;       ///< for each triangle of the common triangulation, whether the horizon is present
-  std::vector<double> height;  ///< height of the horizon at each point; NaN if no triangle needs it
+  std::vector<bool> has;       ///< for each triangle of the horizons' common triangulation: whether it has the horizon
+  std::vector<double> height;  ///< height of the horizon at each point of the common triangulation; NaN where absent
   bool overhangs = false;
 };
 
@@ -99,7 +99,7 @@ double collapse_onto(const Draped& older, double wanted, Draped& younger) {
   double largest = 0;
   for (std::size_t v = 0; v < younger.height.size(); ++v) {
     const double gap = younger.height[v] - older.height[v];
-    if (!(std::abs(gap) < wanted)) continue;  // skips points where a horizon is absent (NaN), too
+    if (!(std::abs(gap) < wanted)) continue;  // heights of absent horizons are NaN, so their points are skipped, too
     largest = std::max(largest, std::abs(gap));
     younger.height[v] = older.height[v];
   }

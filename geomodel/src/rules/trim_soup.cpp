@@ -79,7 +79,7 @@ struct Trimming {
     return faults;
   }
 
-  /// Returns the faults other than x at which horizon y is divided. Topography and base may have a scarp at any fault.
+  /// Returns the faults except x at which horizon y is divided. Topography and base may have a scarp at any fault.
   std::vector<Index> dividers_of(Index y, Index x) const {
     const bool is_end = surfaces[y].name == rules.topography || surfaces[y].name == rules.floor;
     if (is_end || rules.of(y).fills_blocks()) return faults_but(x);
@@ -95,7 +95,7 @@ struct Trimming {
       if (const Index row = row_of(rules.column[i]); row != x && row != y) dividers.push_back(row);
   }
 
-  /// Returns 1 if most of the piece lies above surface y, -1 if below, 0 if unknown.
+  /// Returns 1 if most of a piece of another surface lies above surface y, -1 if below, 0 if unknown.
   int side_of_piece(const Piece& piece, Index y, const std::optional<HeightVote>& heights, bool is_divided) {
     const int by_height = heights ? heights->side_of(piece) : 0;
     if (by_height != 0) return by_height;
@@ -356,7 +356,7 @@ void warn_of_doubts(Trimming& work, const Parting& parting) {
 
 /// Removes, from horizons that fill their fault blocks, the data beyond the fault at which they should end.
 void end_data_at_faults(Trimming& work) {
-  std::optional<BlockFramework> blocks;  // fault blocks, computed when the first surface overshoots
+  std::optional<BlockFramework> blocks;  // fault blocks, computed when the first surface is found to overshoot another
   for (Index s = 0; s < work.n_given(); ++s) {
     if (!work.rules.of(s).fills_blocks()) continue;
     MeantEnd end{s, work.faults_but(s), work.rules.continuation.within_of_horizons, part_of(work.built, s)};
@@ -400,7 +400,7 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   end_faults(work.working, surfaces, built, rules.continuation.within_of_faults, {work.removed, work.notes});
   for (Index s = 0; s < work.n_given(); ++s)
     if (surfaces[s].kind == SurfaceKind::fault) end_at_domain(work, s);
-  // Continued horizons end at the parts of faults that were not removed by the rules above.
+  // Continued horizons end at faults, but only at the parts that the rules for faults have not removed.
   for (Index s = 0; s < built.part_of_triangle.size(); ++s)
     if (surfaces[s].kind != SurfaceKind::fault && !built.part_of_triangle[s].empty())
       work.removed[s] += end_at_walls(work.working, surfaces, built, s);

@@ -18,7 +18,7 @@ namespace {
 
 double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
-/// Returns a bound on the rounding errors of distances and planes near a place.
+/// Returns a bound on the rounding error of a distance that is computed from coordinates near a place.
 double rounding_at(const Vec3& p) {
   constexpr double share = 1e-12;  // rounding error as a share of the largest coordinate
   return share * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -28,7 +28,7 @@ double rounding_at(const Vec3& p) {
 /// by its own rounding.
 struct Plane {
   Vec3 normal{0, 0, 0}, place{0, 0, 0};
-  long double height = 0;  ///< signed height of the plane above `place`, along the normal
+  long double height = 0;  ///< signed distance of the plane from the point `place`, along the plane's normal
 
   long double height_of(const Vec3& p) const {
     long double sum = -height;
@@ -52,7 +52,7 @@ struct EdgeOnSurfaces {
   const Plane* slanting = nullptr;  ///< plane of a side of the model that is not along the axes
   bool may_move = true;
   Vec3 straight{0, 0, 0}, target{0, 0, 0};
-  /// Number of times that the midpoint's distance from the straight edge was halved; with `stays`, it is zero.
+  /// Number of times that the midpoint's distance from the straight edge's middle was halved; it is 0 with `stays`.
   int halvings = 0;
   static constexpr int stays = 4;
 
@@ -84,7 +84,7 @@ class EdgeCurver {
     find_side_planes();
     find_edges();
     for (EdgeOnSurfaces& edge : edges_) aim(edge);
-    // Halving the curvature of edges changes their faces, which must then be proven again.
+    // Halving the curvature of edges changes their faces, whose distance from the surfaces must then be proven again.
     do straighten_far_faces();
     while (straighten_unproven());
     std::vector<CurvedEdge> result;
@@ -273,7 +273,7 @@ class EdgeCurver {
   std::map<std::int32_t, SurfaceDistance> nearest_;
   std::map<std::int32_t, Plane> sides_;  // plane of each side of the model that is plane, by its id
   std::vector<EdgeOnSurfaces> edges_;    // by ends, ascending
-  // for each face: how often its edges' curvature had been halved when the face was last proven close
+  // for each face: how often its edges' curvature had been halved when it was last proven near its surfaces
   std::vector<std::array<int, 3>> proven_;
 };
 

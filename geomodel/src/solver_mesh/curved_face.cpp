@@ -45,7 +45,8 @@ Vec3 place_on_face(const std::array<Vec3, 6>& nodes, const std::array<double, 3>
 
 bool is_face_within(const std::array<Vec3, 6>& nodes, const SurfaceDistance& surface, double limit) {
   constexpr int most_pieces = 16;
-  // Largest distance of the curved face from its flat triangles for which a test is tried, as a share of the limit.
+  // Limit on the distance between a curved face and its flat triangles, as a share of the tolerance `limit`; finer flat
+  // triangles are made until the distance is below it.
   constexpr double most_off = 0.25;
   double bend = 0;
   for (std::size_t i = 0; i < 3; ++i)

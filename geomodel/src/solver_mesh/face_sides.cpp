@@ -77,11 +77,11 @@ class AcrossFaces {
   /// Returns the two smallest vertex numbers of a tetrahedron. The smallest vertex of three of its faces is the first
   /// of these, that of the fourth face is the second.
   static std::pair<VertexIndex, VertexIndex> two_smallest(const Tetrahedron& v) {
-    // Minimum and maximum avoid branches, because it is unpredictable which vertex is smaller.
+    // Minimum and maximum avoid branches, because it is unpredictable which of two vertex numbers is smaller.
     const VertexIndex a = std::min(v[0], v[1]), c = std::min(v[2], v[3]);
     return {std::min(a, c), std::min(std::max(a, c), std::min(std::max(v[0], v[1]), std::max(v[2], v[3])))};
   }
-  /// Collects the `n` faces whose smallest vertex is in [from, to).
+  /// Collects the `n` faces whose smallest vertex number is in the range [from, to).
   void collect(std::size_t from, std::size_t to, std::size_t n) {
     uses_.clear();
     uses_.reserve(n);
@@ -137,7 +137,7 @@ std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vecto
   std::sort(list.begin(), list.end(), [](const Face& a, const Face& b) {
     return a.vertices != b.vertices ? a.vertices < b.vertices : a.row < b.row;
   });
-  std::vector<std::size_t> first(n_vertices + 1, 0);  // for each vertex: first row of faces with it as smallest vertex
+  std::vector<std::size_t> first(n_vertices + 1, 0);  // for each vertex: first face in which it is the lowest-numbered
   for (const Face& face : list) ++first[face.vertices[0] + 1];
   for (std::size_t v = 0; v < n_vertices; ++v) first[v + 1] += first[v];
   std::vector<std::array<TetrahedronSide, 2>> sides(faces.size(), {{{no_side, 0}, {no_side, 0}}});

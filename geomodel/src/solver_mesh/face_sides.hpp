@@ -28,8 +28,8 @@ using Neighbours = std::array<std::uint32_t, 4>;
 inline constexpr std::uint32_t no_neighbour = UINT32_MAX;
 
 using TetrahedronRows = std::span<const VertexIndex>;
-/// Returns the neighbours of the tetrahedra in `pieces`, which are numbered consecutively; without pieces, of all
-/// tetrahedra in their order. O(n log n); takes about 3 bytes per tetrahedron besides the result.
+/// Returns the neighbours of tetrahedra across their faces: of all tetrahedra, or of those whose rows are in `pieces`,
+/// which are then numbered consecutively. O(n log n); takes about 3 bytes per tetrahedron besides the result.
 std::vector<Neighbours> tetrahedra_across(const std::vector<Tetrahedron>& tetrahedra,
                                           std::span<const TetrahedronRows> pieces = {});
 

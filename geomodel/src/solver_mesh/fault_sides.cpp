@@ -35,16 +35,16 @@ std::vector<EdgeUse> edges_of_faults(const ModelMesh& mesh, const std::vector<st
 
 struct Neighbour {
   std::size_t face;
-  bool same;  ///< whether this face and the neighbouring one have their normals on the same side of the fault
+  bool same;  ///< whether two neighbouring faces have their normals on the same side of the fault
 };
 
-/// A part of a fault whose faces are connected and have been oriented consistently.
+/// A connected part of a fault, whose faces have been oriented consistently.
 struct Sheet {
   std::int32_t fault;
   std::vector<std::size_t> faces;
   bool two_sided = true;
   Vec3 area{0, 0, 0};  ///< sum of the area vectors of the faces after orienting them
-  double size = 0;     ///< sum of the lengths of the faces' area vectors, which measures the size of the part
+  double size = 0;     ///< size of this connected part of the fault: the sum of the lengths of its faces' area vectors
 };
 
 class SheetTurner {
@@ -105,7 +105,7 @@ class SheetTurner {
     }
     return sheet;
   }
-  /// Returns a number that is positive if most of the area of a part of a fault keeps its orientation.
+  /// Returns a number that is positive if most of the area of a connected part of a fault keeps its orientation.
   double kept_area(const Sheet& sheet) const {
     double kept = 0;
     for (const std::size_t f : sheet.faces) kept += (turned_[f] ? -1 : 1) * std::sqrt(dot(area_of(f), area_of(f)));

@@ -14,9 +14,9 @@ namespace geomesh::geomodel {
 
 /// All mesh faces that lie on the same surfaces and separate the same two regions.
 struct FacePiece {
-  std::int32_t id;  ///< id of the surface if this piece is all of it, else a new id
+  std::int32_t id;  ///< id of the surface if this piece of it is the whole surface, else a new id
   std::int32_t surface_set, region_minus, region_plus;
-  /// Names of the faces' surfaces, joined by `+`; if a surface has several pieces, followed by `/` and the regions.
+  /// Names of the surfaces of this piece, joined by `+`; if they have several pieces, followed by `/` and the regions.
   std::string full_name;
   std::vector<std::size_t> faces;
 };
@@ -33,7 +33,7 @@ struct SolverPieces {
   std::vector<FacePiece> faces;
   std::vector<CurvePiece> curves;
 };
-/// Divides faces and edges of curves into pieces. New ids follow the largest id of the mesh.
+/// Divides the faces on surfaces and the edges of curves into pieces. New ids follow the largest id of the mesh.
 SolverPieces make_pieces(const ModelMesh& mesh);
 
 /// Returns the largest id of a region, surface, curve, point or set.

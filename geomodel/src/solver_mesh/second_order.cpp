@@ -61,7 +61,8 @@ bool jacobian_is_positive(const std::array<Vec3, 10>& nodes) {
                Bounded{0.5, 0} * (Bounded{nodes[i][k], 0} + Bounded{nodes[j][k], 0});
     return {0, 0};
   };
-  std::array<std::array<Vector, 4>, 3> derivative;  // derivative of the quadratic map along 3 axes, at the 4 corners
+  // Derivative of the element's quadratic map along 3 axes, at the 4 corners.
+  std::array<std::array<Vector, 4>, 3> derivative;
   for (std::size_t d = 0; d < 3; ++d)
     for (std::size_t c = 0; c < 4; ++c)
       for (std::size_t k = 0; k < 3; ++k) derivative[d][c][k] = at(d + 1, c, k) - at(0, c, k);

@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 
 using NamesById = std::unordered_map<std::int32_t, ordered_json>;
 
-/// Returns for each id the names of the groups that contain it, in the order of the groups.
+/// Returns for each id of a region, surface, curve or point the names of the groups that contain it.
 NamesById names_by_member(const std::vector<SidecarGroup>& groups) {
   NamesById names;
   for (const SidecarGroup& g : groups) {

@@ -148,7 +148,8 @@ class SolverMeshBuilder {
     }
   }
 
-  /// Gives each block one label. Blocks on several surfaces or curves at once have a label of their own.
+  /// Gives each block of cells exactly one label, the only number of its cells in the file. Blocks on several surfaces
+  /// or curves get a label of their own.
   void label_blocks() {
     if (options_.groups == GroupChoice::pieces) {
       result_.labels = result_.groups;

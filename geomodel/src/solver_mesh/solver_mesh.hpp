@@ -20,8 +20,8 @@ int dimension_of(CellShape shape);
 
 inline constexpr std::uint32_t no_cell = std::numeric_limits<std::uint32_t>::max();
 
-/// One side of a face: the number of the solid there, from 0 (SolverMesh::n_solids), and the vertex of this solid
-/// opposite the face.
+/// One side of a face: the number of the solid (volume cell) there, from 0 (SolverMesh::n_solids), and the vertex of
+/// this solid opposite the face.
 struct FaceSide {
   std::uint32_t solid = no_cell;
   unsigned opposite = 0;
@@ -31,13 +31,15 @@ struct FaceSide {
 /// between the same two regions, the edges on the same curves, a named point.
 struct CellBlock {
   CellShape shape;
-  std::int32_t id;  ///< id of the block, distinct from the ids of all other blocks
+  std::int32_t id;  ///< id of the block of cells, distinct from the ids of all other blocks
   std::string full_name;
-  std::vector<std::int32_t> members;  ///< ids of the region, the surfaces, the curves or the point of the block
+  /// Ids of the region, the surfaces, the curves or the point to which the cells of the block belong.
+  std::vector<std::int32_t> members;
   std::int32_t region_minus = 0, region_plus = 0;
   std::size_t nodes_per_cell;
-  std::vector<VertexIndex> nodes;              ///< in VTK's order
-  std::vector<std::array<FaceSide, 2>> sides;  ///< for blocks of faces: minus side and plus side of each face
+  std::vector<VertexIndex> nodes;  ///< in VTK's order
+  /// For blocks of faces: the volume cells on the minus side and on the plus side of each face.
+  std::vector<std::array<FaceSide, 2>> sides;
   /// for blocks of faces and tetrahedra: their rows in the ModelMesh, as 32-bit numbers
   std::vector<VertexIndex> rows;
   std::size_t n_cells() const {
@@ -85,7 +87,7 @@ enum class TetrahedronNodes { listed, by_rows };
 SolverMesh make_solver_mesh(const ModelMesh& mesh, const WriteOptions& options,
                             TetrahedronNodes nodes = TetrahedronNodes::listed);
 
-/// Returns the nodes of a group in ascending order.
+/// Returns the nodes of a group of cells in ascending order.
 std::vector<VertexIndex> nodes_of(const SolverMesh& mesh, const CellGroup& group);
 
 }  // namespace geomesh::geomodel

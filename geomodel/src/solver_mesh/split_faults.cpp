@@ -89,7 +89,7 @@ class FaultSplitter {
     for (std::size_t f = 0; f < before_.faces.size(); ++f)
       if (is_split(f))
         for (const VertexIndex v : before_.faces[f].vertices) touched[v] = true;
-    std::vector<std::vector<std::size_t>> at(n);  // for each node on split faces: its tetrahedron corners, as 4 t + i
+    std::vector<std::vector<std::size_t>> at(n);  // for each node on split faces: its tetrahedra t, as 4 t + corner
     for (std::size_t t = 0; t < before_.tetrahedra.size(); ++t)
       for (std::size_t i = 0; i < 4; ++i)
         if (touched[before_.tetrahedra[t][i]]) at[before_.tetrahedra[t][i]].push_back(4 * t + i);

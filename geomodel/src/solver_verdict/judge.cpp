@@ -151,7 +151,7 @@ class Judge {
     if (size > enough) tally.least_over_size = std::min(tally.least_over_size, edges.shortest / size);
   }
 
-  /// Returns the velocity in a tetrahedron; 1 if it is not known.
+  /// Returns the velocity of waves in a tetrahedron; 1 if it is not known.
   double velocity(std::size_t t, SolverVerdict& verdict) const {
     const double v = mesh_.velocity ? mesh_.velocity(t) : 0;
     verdict.has_velocities |= v > 0;

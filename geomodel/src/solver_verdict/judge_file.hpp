@@ -11,10 +11,9 @@
 
 namespace geomesh::geomodel {
 
-/// Velocities by the name of the unit or region.
 using Velocities = std::map<std::string, double>;
 
-/// Checks a mesh in a file for use with solvers and sets result.solver. Adds a fault `unfit_for_solvers` if it fails.
+/// Checks a mesh in a file for use with solvers, sets result.solver, and reports a failure as `unfit_for_solvers`.
 void check_for_solvers(const checking::MeshFile& file, const Velocities& velocities, CheckResult& result);
 
 }  // namespace geomesh::geomodel

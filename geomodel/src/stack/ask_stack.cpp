@@ -51,7 +51,7 @@ void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const Mo
     stack.outline = {{b.min.x, b.min.y}, {b.max.x, b.min.y}, {b.max.x, b.max.y}, {b.min.x, b.max.y}};
     return;
   }
-  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i)  // zmin and zmax are the last two sides
+  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i)  // the model's last two sides are zmin and zmax
     stack.outline.push_back({volume.sides[i].points[0].x, volume.sides[i].points[0].y});
 }
 

@@ -34,7 +34,7 @@ constexpr double row_of_thickness = 12;
 // Pinch-out lines are shifted by half the width over which a unit closes, at most by this fraction of the target size.
 constexpr double most_shift = 0.15;
 constexpr double edge_of_thickness = 24;  // largest length of edges in a thin unit, as a multiple of its thickness
-// Lines of the map closer than this fraction of MapSamples::border_reach() are merged.
+// Constraint lines of the map closer to each other than this fraction of MapSamples::border_reach() are merged.
 constexpr double joined_of_reach = 0.25;
 
 double map_area(const MapBounds& b) { return (b.max.x - b.min.x) * (b.max.y - b.min.y); }
@@ -48,7 +48,7 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   return static_cast<double>(n) > many_triangles * asked;
 }
 
-/// Adds border edges of horizons without throw to the lines of the layout, except those outside or along the bounds.
+/// Adds border edges of horizons without throw to the map's constraint lines, except edges outside or along its bounds.
 void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   const MapBounds near = layout.bounds;
   for (const BlockData& horizon : horizons) {
@@ -172,7 +172,7 @@ bool HorizonGroup::crosses_by_mistake() const {
   return false;
 }
 
-/// Returns the first horizon with throw of which a block would be lost; the number of horizons if there is none.
+/// Returns the first horizon with throw that loses a block at the target size; the number of horizons if none does.
 std::size_t HorizonGroup::first_lost() const {
   for (std::size_t k = 0; k < sided_.size(); ++k)
     if (has_throw(k) && loses_blocks(members_.data[k], sided_[k], {members_.faults[k], frame_, layout_.bounds}))
@@ -181,7 +181,7 @@ std::size_t HorizonGroup::first_lost() const {
 }
 
 /// Returns the first horizon that keeps its height by the rules but would have to move by more than the tolerance,
-/// because the other one has no throw at the fault; the number of horizons if there is none.
+/// because the horizon that should move instead has no throw there; the number of horizons if there is none.
 std::size_t HorizonGroup::first_against_rule() const {
   const auto at = std::find_if(sided_.begin(), sided_.end(),
                                [&](const SidedHorizon& s) { return s.largest_against_rule > rules_.stack.tolerance; });

@@ -20,7 +20,7 @@ namespace geomesh::geomodel {
 /// The horizons of a group, youngest first, and the area of the map over which they are put in order.
 struct GroupMembers {
   Stack stack;
-  std::vector<BlockData> data;        ///< data of each horizon, in the coordinate frame of the map
+  std::vector<BlockData> data;        ///< each horizon's triangles and blocks, in the coordinate frame of the map
   std::vector<HorizonFaults> faults;  ///< one a horizon
   MapBounds bounds;                   ///< in the frame
   /// Returns whether a place of the model counts for the areas, moves and volumes in the report. If empty, all places
@@ -37,8 +37,8 @@ enum class Settling {
 
 class HorizonGroup {
  public:
-  /// `built` receives notes and holds the names of the horizons. All arguments except `members` must outlive this
-  /// object.
+  /// `built` holds the horizons' names and receives notes. All arguments except `members` must outlive the
+  /// HorizonGroup.
   HorizonGroup(GroupMembers members, BuiltSurfaces& built, const ModelRules& rules, const MapFrame& frame);
 
   /// Returns whether a horizon ends inside the model. It perhaps ends exactly on a fault, which it would leave if
@@ -49,7 +49,7 @@ class HorizonGroup {
   std::size_t first_that_overhangs() const;
   Settling settle();
 
-  // The functions below may only be called after settle() has returned Settling::settled.
+  // The settled horizons and their report may only be queried after settle() has returned Settling::settled.
 
   SettledStack& told() { return told_; }
   /// Returns a settled horizon without throw, in model coordinates and with its original orientation.

@@ -112,7 +112,7 @@ class BlockSheets {
 
  private:
   struct Sheet {
-    std::vector<Index> given;  ///< indices of original triangles, ascending
+    std::vector<Index> given;  ///< indices of the horizon's original triangles in the block, ascending
     BlockExtension extension;
   };
   TriangulatedSurface continued_, given_;
@@ -181,7 +181,7 @@ class Rebuilt {
   }
 
  private:
-  /// Sorts the triangles by part, so that original ones come first, as in all surfaces that were continued.
+  /// Sorts the horizon's triangles by part, so that original ones come first, as in all continued surfaces.
   void sort_by_part() {
     std::vector<Index> order(part_.size());
     std::iota(order.begin(), order.end(), Index{0});
@@ -362,8 +362,8 @@ class BlockStack {
   MapBounds bounds_;
   std::vector<BlockSheets> sheets_;
   std::vector<SettledBlock> settled_;
-  std::size_t n_left_ = 0;  ///< number of blocks that cannot be put in order
-  std::string why_left_;    ///< reason why the first block that failed cannot be put in order
+  std::size_t n_left_ = 0;  ///< number of fault blocks in which the horizons cannot be put in order
+  std::string why_left_;    ///< reason why the horizons of the first block that failed cannot be put in order
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Margin around an outline that is not an axis-aligned box, as a fraction of the target size.
+// Margin around a model outline that is not an axis-aligned box, as a fraction of the target size.
 constexpr double margin_of_size = 0.25;
 
 /// Returns why the stack cannot be put in order at all, neither block by block nor over the whole map; empty if it can.
@@ -80,7 +80,7 @@ bool can_be_ended_on(const TriangulatedSurface& s) {
   return s.kind == SurfaceKind::fault || s.kind == SurfaceKind::body;
 }
 
-/// Puts the stack in order over the whole map. Returns false without a change; `why` is the obstacle, if there is one.
+/// Puts the stack of horizons in order over the whole map, or returns false without a change; `why` is any obstacle.
 bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, bool may_end_inside,
                 std::string& why) {
   why = obstacle_in_map(stack, built);
@@ -101,8 +101,8 @@ bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rule
   return true;
 }
 
-/// Puts the column in order, together with the topography and the base. Returns false if that was not needed, or was
-/// not possible, which a note explains.
+/// Puts the horizons of the column in order, with topography and base. Returns false if that was not needed, or not
+/// possible, which a note explains.
 bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks) {
   if (stack.rows.empty()) return false;
   std::string why = obstacle(stack);
@@ -135,7 +135,7 @@ void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules&
   }
 }
 
-/// Returns whether the rules request that the stack is put in order, and contain the options that this needs.
+/// Returns whether the rules request that the stack of horizons is put in order, and give tolerance, size and outline.
 bool asks_for_settling(const StackRules& rules) {
   return rules.rule != StackRule::keep && rules.tolerance > 0 && rules.size > 0 && !rules.outline.empty();
 }

@@ -14,7 +14,7 @@ namespace {
 
 // Least ratio of the volumes above and below another horizon for a horizon to count as lying over it.
 constexpr double far_over = 4;
-// Width of islands, as a multiple of the target size, below which a mesh cannot resolve them.
+// Width of islands in which two horizons cross, in target sizes, below which a mesh cannot resolve them.
 constexpr double narrow = 3;
 // Pi / 4: ratio of a line's length to the total length of the lattice edges that it crosses.
 constexpr double length_of_edges = 0.785;
@@ -44,7 +44,7 @@ Stack named_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelR
 
 struct Lie {
   double volume_over = 0, volume_under = 0;
-  /// Area where the horizon lies below the other one, and total length of the lines in which they cross.
+  /// Area in which one horizon lies below another, and total length of the lines in which both horizons cross.
   double area_under = 0, crossing = 0;
 
   bool is_over() const { return volume_over > far_over * volume_under; }

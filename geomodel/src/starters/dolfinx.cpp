@@ -68,7 +68,6 @@ if __name__ == "__main__":
     print("temperature from %g to %g" % (temperature.x.array.min(), temperature.x.array.max()))
 )py";
 
-/// Returns the text as a Python string literal.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {

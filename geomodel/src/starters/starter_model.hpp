@@ -46,9 +46,9 @@ struct StarterModel {
     std::string type;
     int dimension;
     StarterGroup group;
-    std::vector<std::string> wholes;  ///< full names of the surfaces to which the group belongs
+    std::vector<std::string> wholes;  ///< full names of the surfaces that this group of elements is a part of
   };
-  std::vector<Listed> groups;  ///< groups of elements listed in the JSON file beside the mesh
+  std::vector<Listed> groups;  ///< all groups of elements in the JSON file beside the mesh
 };
 
 /// Collects the starter data of a mesh. Material parameters are attributes found by name: conductivity or

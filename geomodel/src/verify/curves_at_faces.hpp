@@ -10,10 +10,10 @@
 
 namespace geomesh::geomodel {
 
-/// Checks curves and patches against the faces at each edge, and appends a sentence for each kind of defect. If exactly
-/// two faces with the same set of surfaces meet at an edge, they must have one patch, and only wells may be on the
-/// edge. Any other edge of faces must be on exactly one curve that is not a well. O(n log n) for n faces. Precondition:
-/// indices are in range.
+/// Checks curves and patches of surfaces against the mesh faces at each edge, and appends a sentence for each kind of
+/// defect. If exactly two faces with the same set of surfaces meet at an edge, both must belong to one patch, and only
+/// wells may be on the edge. Any other edge of such faces must be on exactly one curve that is not a well. O(n log n)
+/// for n faces. Precondition: all indices in the mesh are in range.
 void check_curves_at_faces(const ModelMesh& mesh, std::vector<std::string>& faults);
 
 }  // namespace geomesh::geomodel

@@ -23,7 +23,8 @@ FaceUse make_use(Triangle t, Index row, bool is_listed) {
   return FaceUse(t, row, is_listed, even);
 }
 
-/// Calls visit(use) for the faces of the items in [begin, end): first tetrahedra, then the mesh's constrained faces.
+/// Calls visit(use) for the faces of some elements of the mesh: those with numbers in [begin, end), where tetrahedra
+/// are numbered first, then constrained faces.
 template <class Visit>
 void for_each_use(const ModelMesh& mesh, std::size_t begin, std::size_t end, const Visit& visit) {
   const std::size_t n_tetrahedra = mesh.tetrahedra.size();
@@ -64,7 +65,8 @@ FaceUses::FaceUses(const ModelMesh& mesh, unsigned threads) {
   const std::size_t n_vertices = std::max<std::size_t>(mesh.points.size(), 1);
   const auto block_of = [&](const FaceUse& use) { return use.least_vertex() * n_blocks / n_vertices; };
 
-  // Counts the faces of each block in each chunk, then writes each face to the position that follows from the counts.
+  // Counts for each chunk of elements the faces in each block. The counts determine the position to which each face is
+  // then written.
   const Chunks chunks(n_rows);
   std::vector<std::vector<std::size_t>> place(chunks.size(), std::vector<std::size_t>(n_blocks, 0));
   chunks.for_each(threads, [&](std::size_t k, std::size_t begin, std::size_t end) {

@@ -18,8 +18,9 @@ class FaceUse {
   /// Upper limit on the numbers of points, tetrahedra and constrained faces.
   static constexpr std::uint64_t limit = std::uint64_t{1} << 31;
 
-  /// Packs a face into two words. Preconditions: the vertices are ascending; vertices and row are below `limit`. `even`
-  /// is whether sorting the vertices kept their cyclic order.
+  /// Packs a face into two words. `row` is the index of the tetrahedron or constrained face. Preconditions: the
+  /// vertices are ascending; vertices and `row` are below `limit`. `even` is whether sorting the vertices kept their
+  /// cyclic order.
   FaceUse(const Triangle& vertices, Index row, bool is_listed, bool even)
       : first_(std::uint64_t{vertices[0]} << 32 | vertices[1]),
         last_(std::uint64_t{vertices[2]} << 33 | std::uint64_t{is_listed} << 32 | std::uint64_t{row} << 1 |
@@ -27,7 +28,7 @@ class FaceUse {
   FaceUse() = default;
 
   VertexIndex least_vertex() const { return static_cast<VertexIndex>(first_ >> 32); }
-  /// Index of the tetrahedron or of the constrained face.
+  /// Index of the tetrahedron to which the face belongs, or of the constrained face in the mesh's list.
   Index row() const { return static_cast<Index>((last_ & 0xffffffff) >> 1); }
   bool is_listed() const { return (last_ >> 32 & 1) != 0; }
   bool even() const { return (last_ & 1) != 0; }
@@ -54,7 +55,7 @@ class FaceUses {
 
  private:
   PodArray<FaceUse> uses_;
-  std::vector<std::size_t> begin_;  ///< index of the first face of each block, and the end
+  std::vector<std::size_t> begin_;  ///< by block of faces: index of its first face; at the end the number of faces
 };
 
 }  // namespace geomesh::geomodel

@@ -20,7 +20,6 @@ class FaultList {
   void add(std::size_t row) {
     if (++count_ <= most_rows_told) rows_.push_back(row);
   }
-  /// Appends the defects that were found in a later chunk of indices.
   void append(const FaultList& later) {
     count_ += later.count_;
     const std::size_t room = most_rows_told - std::min(most_rows_told, rows_.size());

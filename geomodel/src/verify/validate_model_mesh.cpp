@@ -77,7 +77,7 @@ void check_points(const ModelMesh& m, unsigned threads, std::vector<std::string>
   for (const FaultList& list : {unused, not_finite, equal, order}) list.flush(faults);
 }
 
-/// Joins the lists of defects of all chunks and reports the result.
+/// Joins the lists of defects that threads found in the chunks, and reports the result.
 void flush_joined(const std::vector<FaultList>& by_chunk, std::vector<std::string>& faults) {
   if (by_chunk.empty()) return;
   FaultList joined(by_chunk.front().what());
@@ -116,7 +116,8 @@ void check_tetrahedra(const ModelMesh& m, unsigned threads, std::vector<std::str
 
 using NamedFaults = std::map<std::string, FaultList>;
 
-/// Checks the tetrahedra and constrained faces at one triangle. Precondition: all `uses` have the same vertices.
+/// Checks that tetrahedra and constrained faces fit together at one triangle of the mesh. `uses` are its faces: all
+/// have the same three vertices.
 void check_one_face(const ModelMesh& m, std::span<const FaceUse> uses, NamedFaults& lists) {
   const auto report = [&](const char* what, std::size_t row) { lists.try_emplace(what, what).first->second.add(row); };
   const auto first_listed = std::find_if(uses.begin(), uses.end(), [](const FaceUse& use) { return use.is_listed(); });

@@ -62,7 +62,7 @@ std::vector<std::int32_t> largest_regions(const ModelMesh& mesh) {
       if (largest[v] == none) largest[v] = mesh.tet_region[t];
       if (largest[v] != mesh.tet_region[t]) largest[v] = several;
     }
-  // Rows of the tetrahedra at points that belong to several regions.
+  // For each region: the rows of its tetrahedra at points that belong to several regions.
   std::map<std::int32_t, std::vector<std::uint32_t>> rows_of;
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
     if (const Tetrahedron& v = mesh.tetrahedra[t];

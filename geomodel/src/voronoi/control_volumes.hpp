@@ -12,15 +12,15 @@
 namespace geomesh::geomodel {
 
 struct ControlVolumes {
-  std::vector<double> volume;        ///< volume of the cell around each point; their sum is the volume of the mesh
+  std::vector<double> volume;  ///< volume of the Voronoi cell around each point; their sum is the volume of the mesh
   std::vector<std::int32_t> region;  ///< for each point: the region with the largest share of its Voronoi cell
   struct Connection {
     VertexIndex a, b;
-    double area;  ///< Area of the face between the two cells, which is perpendicular to the edge ab at its midpoint.
+    double area;  ///< area of the face between the Voronoi cells of a and b, perpendicular to edge ab at its midpoint
   };
-  /// Pairs of cells whose common face has an area above zero. In a deque, because it grows without copying them.
+  /// Pairs of Voronoi cells whose common face has an area above zero. A deque grows without copying its entries.
   std::deque<Connection> connections;
-  std::size_t n_negative_areas = 0;  ///< number of faces omitted at the boundary, because circumcentres lie beyond it
+  std::size_t n_negative_areas = 0;  ///< number of Voronoi faces omitted at the boundary, with circumcentres beyond it
 };
 
 /// Computes the Voronoi cells around the points of a mesh. Two-point fluxes between the cells are consistent only in a

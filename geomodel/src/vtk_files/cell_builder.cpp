@@ -38,7 +38,7 @@ void require_rising(const InputFile& file, const std::vector<std::int64_t>& ends
   }
 }
 
-/// Adds the corners of one cell to the data. Precondition: the ends of the cells' lists of corners are ascending.
+/// Adds the corners of one cell to the VTK data. Precondition: the ends of the cells' lists of corners are ascending.
 void CellBuilder::add_corners(const CellLists& lists, std::size_t cell, std::size_t first_point) {
   const auto begin = cell == 0 ? std::size_t{0} : static_cast<std::size_t>(lists.ends[cell - 1]);
   const auto end = static_cast<std::size_t>(lists.ends[cell]);

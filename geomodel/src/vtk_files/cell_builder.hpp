@@ -11,7 +11,6 @@
 
 namespace geomesh::geomodel {
 
-/// Lists stored consecutively.
 struct CellLists {
   std::vector<std::int64_t> ends;  ///< for each cell, where its list of corners ends in `corners`
   std::vector<std::int64_t> corners;
@@ -33,10 +32,9 @@ class CellBuilder {
   enum class Shape { verts, lines, polys, strips };
   CellBuilder(const InputFile& file, VtkData& data) : file_(file), data_(data) {}
 
-  /// Adds the cells of an unstructured grid. The corners in `lists` count from the point `first_point`.
+  /// Adds the cells of a VTK unstructured grid. The corners in `lists` count from the point `first_point`.
   void add_grid(const CellLists& lists, const std::vector<std::int64_t>& types, std::size_t first_point);
   void add_poly(Shape shape, const CellLists& lists, std::size_t first_point);
-  /// The points too.
   void add_image(const ImageLattice& lattice);
 
  private:

@@ -43,7 +43,7 @@ std::size_t most_packed(VtkEncoding::Compressor compressor) {
   }
 }
 
-/// Expands a compressed block. Returns false if it does not expand to exactly `n` bytes.
+/// Expands a compressed block of a VTK array. Returns false if it does not expand to exactly `n` bytes.
 bool unpack(VtkEncoding::Compressor compressor, std::string_view packed, char* out, std::size_t n) {
   if (compressor == VtkEncoding::Compressor::zlib) {
     uLongf length = n;
@@ -71,7 +71,7 @@ std::size_t header_number(ByteSource& source, const VtkEncoding& encoding) {
                                     : read_number<std::uint32_t>(bytes, 0, encoding.order);
 }
 
-/// Positions of the compressed blocks of an array in the packed bytes and in the unpacked ones.
+/// Positions of the compressed blocks of a VTK array: in its packed bytes and in its unpacked ones.
 struct Blocks {
   std::vector<std::size_t> packed{0}, unpacked{0};
   std::size_t size() const { return packed.size() - 1; }

@@ -20,7 +20,7 @@ struct DamagedArray : std::runtime_error {
 struct VtkEncoding {
   enum class Compressor { none, zlib, lz4, lzma };
   std::endian order = std::endian::little;
-  std::size_t header_bytes = 4;  ///< number of bytes of the numbers in array headers: 4 or 8
+  std::size_t header_bytes = 4;  ///< size in bytes (4 or 8) of the numbers in the headers of VTK arrays
   Compressor compressor = Compressor::none;
 };
 
@@ -30,7 +30,7 @@ class ByteSource {
  public:
   ByteSource(std::string_view text, bool base64) : text_(text), base64_(base64) {}
 
-  /// Returns an upper bound on the number of decoded bytes that are left in the source.
+  /// Returns an upper bound on the number of bytes that the rest of the encoded text can give.
   std::size_t most_left() const { return base64_ ? text_.size() / 4 * 3 + carried_.size() + 3 : text_.size(); }
   /// Reads exactly n bytes. Throws DamagedArray if there are fewer, or if a character is not valid base64.
   std::string take(std::size_t n);
@@ -40,10 +40,10 @@ class ByteSource {
 
   std::string_view text_;
   bool base64_;
-  std::string carried_;  // decoded bytes that no call of take() has returned yet: two at most
+  std::string carried_;  // at most two bytes that were decoded from base64 but not returned by take() yet
 };
 
-/// Returns the bytes of one array: its first `wanted` bytes, or all if `wanted` is SIZE_MAX. Throws DamagedArray if
+/// Returns the bytes of one VTK array: its first `wanted` bytes, or all if `wanted` is SIZE_MAX. Throws DamagedArray if
 /// there are fewer. Memory is bounded by what the source can contain. Compressed blocks are expanded in parallel on the
 /// threads of the current arena.
 std::string decoded_array(ByteSource source, const VtkEncoding& encoding, std::size_t wanted);

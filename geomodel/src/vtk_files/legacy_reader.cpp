@@ -102,7 +102,7 @@ class LegacyAttributes {
     }
     table_->put(std::move(given));
   }
-  /// Skips the metadata of an array, up to the next empty line.
+  /// Skips the metadata of a VTK array, which end with an empty line.
   void skip_metadata() {
     words_.line();
     while (!words_.line().empty()) {
@@ -111,7 +111,7 @@ class LegacyAttributes {
 
   LegacyWords& words_;
   VtkData& data_;
-  VtkTable* table_;    // table of point or cell arrays that receives the attributes being read
+  VtkTable* table_;    // table of point or cell arrays that receives the VTK attributes being read
   std::size_t n_ = 0;  // their tuples
 };
 

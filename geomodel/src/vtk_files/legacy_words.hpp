@@ -20,15 +20,12 @@ class LegacyWords {
   bool binary = false;
 
   [[noreturn]] void fail(const std::string& message) const;
-  /// Returns the next line without its end; empty at the end of the file.
   std::string_view line();
-  /// Returns the next word in lower case; empty at the end of the file.
   std::string keyword();
-  /// Returns the next word in lower case without advancing.
   std::string next_keyword() const;
   /// Returns the next name, in which characters encoded as %XX are decoded.
   std::string name();
-  /// Returns the next word as a count of items that take at least one bit each; throws if the file is too short.
+  /// Returns the next word as a count of items, which take at least one bit each; throws if the VTK file is too short.
   std::size_t count(const char* what);
   /// Reads the name of a value type, such as "float"; the types of text ("string") and bits are value types, too.
   VtkType type();

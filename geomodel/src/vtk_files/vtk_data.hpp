@@ -48,16 +48,15 @@ struct VtkColumn {
   std::string name;
   VtkType type = VtkType::float64;
   std::size_t n_components = 1, n_tuples = 0;
-  std::vector<std::byte> bytes;    ///< bytes of all numbers, in the byte order of this machine
+  std::vector<std::byte> bytes;    ///< bytes of the numbers of a VTK array, in the byte order of this machine
   std::vector<std::string> texts;  ///< the texts, if the array is one of texts
 
   bool is_text() const { return type == VtkType::text; }
-  /// Returns number i of the array, counted over all components. Precondition: the array has numbers, and i < n_tuples
-  /// * n_components.
+  /// Returns number i of a VTK array of numbers, of all components. Precondition: i < n_tuples * n_components.
   double number(std::size_t i) const;
   double number(std::size_t tuple, std::size_t component) const { return number(tuple * n_components + component); }
-  /// Returns the numbers of all tuples and components as integers. Numbers with a fraction and those that do not fit in
-  /// 64 bits become -1.
+  /// Returns the numbers of all tuples and components of a VTK array as integers. Numbers with a fraction and those
+  /// that do not fit in 64 bits become -1.
   std::vector<std::int64_t> whole_numbers() const;
   std::vector<double> numbers() const;
 };
@@ -65,16 +64,16 @@ struct VtkColumn {
 struct VtkTable {
   std::vector<VtkColumn> columns;
 
-  /// Returns the array of numbers with this name; null if there is none.
+  /// Returns the VTK array of numbers with this name; null if there is none.
   const VtkColumn* numbers(std::string_view name) const;
-  /// Returns the array of texts with this name; null if there is none.
+  /// Returns the VTK array of texts with this name; null if there is none.
   const VtkColumn* texts(std::string_view name) const;
   void put(VtkColumn column);
 };
 
 /// Cells of all types in one list. Their corners are rows of existing points.
 struct VtkCells {
-  std::vector<std::size_t> first{0};  ///< for each cell: its first entry in `corners`; at last the end of the last cell
+  std::vector<std::size_t> first{0};  ///< for each cell, then past the last one: where its corners begin in `corners`
   std::vector<VertexIndex> corners;
   std::vector<std::uint8_t> types;
 
@@ -105,7 +104,6 @@ VtkData read_vtk_xml_data(const InputFile& file);
 /// Throws Error{invalid_input} if the file is damaged, or of another type.
 VtkData read_vtk_legacy_data(const InputFile& file);
 
-/// Returns whether the file begins like a legacy VTK file.
 bool is_vtk_legacy(const InputFile& file);
 
 }  // namespace geomesh::geomodel

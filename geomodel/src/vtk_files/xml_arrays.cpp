@@ -123,7 +123,7 @@ void XmlArrays::read_bytes(ByteSource source, VtkColumn& column, std::size_t n_v
   column.bytes.resize(column.n_tuples * column.n_components * size);
 }
 
-/// Reads the texts of an array, each of which ends with a zero byte.
+/// Reads the texts of a VTK array, each of which ends with a zero byte.
 void XmlArrays::take_texts(std::string_view bytes, VtkColumn& column) const {
   while (!bytes.empty()) {
     const std::size_t end = std::min(bytes.find('\0'), bytes.size());

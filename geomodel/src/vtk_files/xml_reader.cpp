@@ -12,8 +12,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Largest compression ratio of zlib. It limits the number of items of a file, because a point or a cell has at least
-/// four bytes, and an empty text one.
+/// Largest compression ratio of zlib. It limits the number of items in a VTK file, because a point or a cell has at
+/// least four bytes, and an empty text one.
 constexpr std::size_t most_packed = 1100;
 
 VtkEncoding encoding_of(const InputFile& file, const pugi::xml_node& root) {
@@ -55,7 +55,7 @@ std::array<double, N> numbers_attribute(const InputFile& file, const pugi::xml_n
   return values;
 }
 
-/// Appends to `column` the array of the same name and type in the table; returns false if there is none.
+/// Appends the array of the same name and type in `table` to `column`, a VTK array; returns false if there is none.
 bool append(const VtkTable& table, VtkColumn& column) {
   const VtkColumn* const more = column.is_text() ? table.texts(column.name) : table.numbers(column.name);
   if (!more || more->type != column.type || more->n_components != column.n_components) return false;
@@ -94,7 +94,7 @@ class XmlReader {
       if (is_array(element)) data_.field_data.put(arrays_.read(element, std::nullopt));
   }
 
-  /// Returns a number of items; throws if so many cannot be in the file, even compressed.
+  /// Returns n, a VTK file's number of points or cells; throws if so many cannot be in the file, even compressed.
   std::size_t possible(std::size_t n, const char* what) const {
     if (n / most_packed > file_.size())
       file_.fail("it says to hold " + std::to_string(n) + " " + what + ", which a file of " +
@@ -191,7 +191,7 @@ class XmlReader {
     cells.add_image(lattice);
   }
 
-  /// Adds the arrays of one piece of the file to those of earlier pieces. Arrays that not all pieces have are dropped.
+  /// Adds the arrays of one piece of the VTK file to those of earlier pieces. Arrays that a piece lacks are dropped.
   void add_table(const pugi::xml_node& group, std::size_t n, bool first, VtkTable& table) {
     VtkTable own;
     for (const pugi::xml_node& element : group.children())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/hdf5_times.hpp"
 
-#define H5_USE_110_API  // in this version of HDF5's interface, H5O_info_t has the addresses of objects
+#define H5_USE_110_API  // in version 1.10 of HDF5's interface, H5O_info_t has the addresses of objects
 #include <hdf5.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ std::uint32_t checksum(std::string bytes) {
 struct HeaderStart {
   static constexpr std::size_t n_signature = 4, first_time = 6, n_times = 16;
   std::uint64_t flags;
-  std::size_t size_at, n_size;  ///< position and width (bytes) of the field with the size of the header's first chunk
+  std::size_t size_at, n_size;  ///< position and width in bytes of the size of an HDF5 object header's first chunk
 
   explicit HeaderStart(const std::string& bytes)
       : flags(number_at(bytes, 5, 1)),
@@ -73,7 +73,7 @@ bool clear_times_at(std::fstream& file, std::uint64_t address) {
   constexpr std::size_t most_bytes_of_start = 34;
   std::string bytes(most_bytes_of_start, '\0');
   const auto read = [&] {
-    file.clear();  // a previous read, of the start of a header, may have reached the end of the file
+    file.clear();  // a previous read near the end of the HDF5 file may have reached its end
     file.seekg(static_cast<std::streamoff>(address));
     file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return static_cast<std::size_t>(file.gcount()) == bytes.size();

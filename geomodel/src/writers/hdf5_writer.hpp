@@ -26,11 +26,11 @@ class Hdf5Writer {
   Hdf5Writer(const Hdf5Writer&) = delete;
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
 
-  /// Function that writes `n_rows` rows of numbers, which have the type `in_memory`.
+  /// Function that writes `n_rows` rows of numbers of the type `in_memory` to an HDF5 data set.
   using WriteRows = std::function<void(hid_t in_memory, const void* data, std::size_t n_rows)>;
-  /// Writes a data set with rows of `width` numbers. `name` may be a path whose groups exist.
+  /// Writes an HDF5 data set with rows of `width` numbers. `name` may be a path whose groups exist.
   void put(const std::string& name, hid_t type, const void* data, std::size_t n, std::size_t width);
-  /// Writes a data set piece by piece: `give` receives a function and calls it once for each piece.
+  /// Writes an HDF5 data set piece by piece: `give` gets a function that writes rows, and calls it for each piece.
   void put_pieces(const std::string& name, hid_t type, std::size_t n, std::size_t width,
                   const std::function<void(const WriteRows&)>& give);
   void group(const std::string& name);

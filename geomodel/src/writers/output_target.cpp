@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
   throw Error(ErrorKind::usage, "cannot write " + file.string() + ": " + why);
 }
 
-/// Returns the folder itself if it exists, else the nearest existing folder above it, in which it would be created.
+/// Returns the folder if it exists, else the nearest existing folder above it, in which the folder would be created.
 fs::path nearest_existing(fs::path folder) {
   std::error_code ec;
   while (!fs::exists(folder, ec) && folder.has_parent_path() && folder.parent_path() != folder)

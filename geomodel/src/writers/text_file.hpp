@@ -31,7 +31,6 @@ class OutputText {
   }
   OutputText& operator<<(double value) { return number(value); }
   OutputText& operator<<(const Vec3& p) { return *this << p.x << " " << p.y << " " << p.z; }
-  /// The value's bytes.
   template <class T>
   OutputText& raw(const T& value) {
     char bytes[sizeof(T)];

@@ -11,8 +11,8 @@
 
 namespace geomesh::geomodel {
 
-/// Makes an array of the n texts that `text(i)` returns, each followed by a zero byte. It is only for viewing, because
-/// a widely used Python reader refuses files with texts.
+/// Makes a VTK array of the n texts that `text(i)` returns, each followed by a zero byte. It is only for viewing,
+/// because a widely used Python reader refuses files with texts.
 template <class F>
 VtkArray vtk_texts(std::string name, std::size_t n, F text) {
   std::string bytes;

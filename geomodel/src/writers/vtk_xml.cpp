@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Number of bytes of a block before compression. Like the file, it does not depend on the number of threads.
+/// Number of bytes of a block of a VTK array before compression. It does not depend on the number of threads.
 constexpr std::size_t block_bytes = std::size_t{1} << 20;
 
 using Bytes = std::vector<std::byte>;
@@ -66,7 +66,7 @@ Packing fast_packing(const VtkArray& array) {
   return compressed(first, by_bytes).size() <= repetitions / 20 * 21 ? by_bytes : by_repetitions;
 }
 
-/// All blocks of an array, compressed, with the header that precedes them.
+/// All compressed blocks of a VTK array, with the header that precedes them.
 struct CompressedArray {
   std::vector<std::uint64_t> header;
   std::vector<Bytes> blocks;
@@ -88,7 +88,7 @@ CompressedArray compress_array(const VtkArray& array, Packing packing) {
   return result;
 }
 
-/// Composes the XML text before the appended data.
+/// Composes the XML text of a VTK file, which precedes the appended data.
 class Head {
  public:
   explicit Head(Compression compression) : compression_(compression) {}
@@ -148,7 +148,7 @@ void put(std::ofstream& out, const void* data, std::size_t n) {
   out.write(static_cast<const char*>(data), static_cast<std::streamsize>(n));
 }
 
-/// Writes one array after the other. Arrays that are not compressed are made block by block while they are written.
+/// Writes one VTK array after the other. Arrays without compression are made block by block while they are written.
 void write_to(std::ofstream& out, const VtkDocument& document, Compression compression) {
   Head head(compression);
   head.begin(document);

@@ -42,8 +42,8 @@ constexpr const char* name() {
 }
 }  // namespace vtk_type
 
-/// Makes an array whose values `value(i)` returns as T, for i from 0 to n_values - 1. What `value` refers to must exist
-/// until the file is written.
+/// Makes a VTK array whose value i, from 0 to n_values - 1, is `value(i)` converted to T. Objects to which `value`
+/// refers must exist until the file is written.
 template <class T, class F>
 VtkArray vtk_array(std::string name, std::size_t n_values, F value, int components = 1) {
   static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::uint8_t> || std::is_same_v<T, std::uint64_t> ||

@@ -50,7 +50,7 @@ def percentile(values, share):
 
 
 def write_all(results, directory):
-    """Writes all files of the summary; returns their names."""
+    """Writes all files that summarise the results of a study; returns their names."""
     files = {"table.csv": _table(results), "times.csv": _times(results), "summary.csv": _summary(results),
              "index.html": page.text(results)}
     if results.probability and results.probability.n:

@@ -15,7 +15,7 @@ def mean_normal(points, triangles):
     else:
         total = numpy.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][2]
     normal = total / max(float(numpy.linalg.norm(total)), 1e-300)
-    # The mean normal is chosen upwards; that of a vertical surface towards the east, or else the north.
+    # The mean normal of a surface points upwards; that of a vertical surface points east, or else north.
     first = [component for component in (normal[2], normal[0], normal[1]) if abs(component) > 1e-9]
     return -normal if first and first[0] < 0 else normal
 
@@ -75,8 +75,8 @@ class Displacement:
         return numpy.array([self._value("shift." + axis, d) for axis, d in zip("xyz", self._spec.shift)])
 
     def _tilt(self):
-        """Returns angle and azimuth of the upward direction in radians; the azimuth is measured from the y axis towards
-        x."""
+        """Returns the angle of the tilt and the azimuth of the side that rises, in radians; the azimuth is measured
+        from the y axis towards x."""
         if self._spec.tilt is None:
             return 0.0, 0.0
         angle, azimuth = self._spec.tilt

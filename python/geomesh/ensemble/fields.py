@@ -13,7 +13,7 @@ _LEFT_AT_RANGE = 3.0  # the correlation at the range is exp(-3), one twentieth
 
 
 def correlation(distance, reach, kind):
-    """Returns the correlation of two places at these distances; `reach` is the range, at which 5 % is left."""
+    """Returns the correlation of a random field over a distance; at `reach`, the range, 5 % of it are left."""
     ratio = distance / reach
     return numpy.exp(-_LEFT_AT_RANGE * (ratio * ratio if kind == "gaussian" else ratio))
 
@@ -27,7 +27,7 @@ def _wave_vectors(stream, dimension, reach, kind):
 
 
 def gaussian_field(places, reach, kind, stream):
-    """Returns a field with mean 0 and variance 1 at the places (n, d)."""
+    """Returns the values at the places (n, d) of a random field with mean 0 and variance 1."""
     waves = _wave_vectors(stream, places.shape[1], reach, kind)
     amplitudes = stream.normals(2 * N_WAVES).reshape(2, N_WAVES) / numpy.sqrt(N_WAVES)
     values = numpy.empty(len(places))

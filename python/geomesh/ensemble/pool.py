@@ -41,7 +41,7 @@ class Pool:
         self._give(process)
 
     def _give(self, process):
-        """Sends the next realisation to a process, or ends its work."""
+        """Sends the next realisation to a worker process, or ends the process if none is left."""
         if not self._left:
             self._retire(process)
             return
@@ -83,7 +83,7 @@ class Pool:
             record["drawn"] = drawn.values
             write_input(self._study, drawn, self._store.failure_folder(index))
         except Error:
-            pass  # a realisation that could not be drawn has no input to keep
+            pass  # there is no input to keep if its random values could not be drawn
         self._store.put(record)
         self._told(index, "failed")
 

@@ -24,7 +24,7 @@ def composed(file):
 
 
 class Problems:
-    """Collects the mistakes in one file."""
+    """Collects the mistakes found in one YAML file."""
 
     def __init__(self, file):
         self._file, self._found = file, []
@@ -81,7 +81,7 @@ class Entry:
         return None
 
     def number(self):
-        """Returns a finite number, or None after reporting a mistake."""
+        """Returns the entry's value as a finite number, or None after reporting the mistake."""
         value = as_number(self.node)
         if value is None:
             self.mistake("a number was expected")
@@ -102,7 +102,7 @@ class Entry:
         return None if None in values else values
 
     def plain(self):
-        """Returns the value as a Python object."""
+        """Returns the entry's value as a plain Python object: a number, text, list or dict."""
         constructor = yaml.SafeLoader("")
         try:
             return constructor.construct_document(self.node)

@@ -11,7 +11,7 @@ MOST_TASKS = 1000  # Slurm's MaxArraySize is 1001 by default
 
 
 def write_scripts(study, directory, per_task):
-    """Writes array.sbatch, collect.sbatch and submit.sh into directory/slurm; returns (the last, number of tasks)."""
+    """Writes array.sbatch, collect.sbatch and submit.sh into directory/slurm; returns (submit.sh, number of tasks)."""
     per_task = per_task or -(-study.realisations // MOST_TASKS)
     tasks = -(-study.realisations // per_task)
     folder = os.path.join(os.path.abspath(directory), "slurm")

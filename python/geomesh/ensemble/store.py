@@ -41,7 +41,7 @@ class Store:
         write_whole(self.file(record["index"]), json.dumps(record, sort_keys=True))
 
     def get(self, index):
-        """Returns the record, or None if there is none. Raises UsageError if it belongs to another study."""
+        """Returns the record of a realisation, or None if there is none. Raises UsageError for one of another study."""
         try:
             with open(self.file(index), encoding="utf-8") as text:
                 record = json.load(text)

@@ -23,8 +23,8 @@ class SurfaceSpec:
     name: str
     kind: str
     shift: Tuple = (Fixed(0.0), Fixed(0.0), Fixed(0.0))
-    tilt: Optional[Tuple] = None  # Angle in degrees, and azimuth of the side that is raised.
-    perturbation: Optional[Tuple] = None  # Standard deviation and range.
+    tilt: Optional[Tuple] = None  # Tilt: angle in degrees, and azimuth of the side that rises.
+    perturbation: Optional[Tuple] = None  # Random perturbation: its standard deviation and correlation range.
     correlation: str = "gaussian"
     file: Optional[Pick] = None
     hold: Tuple = ()  # names of wells
@@ -93,7 +93,7 @@ def _project(file, given, problems):
 
 
 class _Reading:
-    """Reads all keys in one pass; mistakes are reported at its end."""
+    """Reads all keys of a study file in one pass; mistakes are collected and reported at the end."""
 
     def __init__(self, file, given, project):
         self._file, self._given, self._project = os.path.abspath(file), given, project
@@ -249,7 +249,7 @@ class _Reading:
         if spacing is not None and spacing <= 0:
             found["spacing"].mistake("a positive length was expected")
             spacing = None
-        if spacing is None:  # about 20,000 cells with the proportions of the box
+        if spacing is None:  # a grid of about 20,000 cells, in the proportions of the box
             return tuple(max(1, round(27 * edge / (edges[0] * edges[1] * edges[2]) ** (1 / 3))) for edge in edges)
         return tuple(max(1, round(edge / spacing)) for edge in edges)
 

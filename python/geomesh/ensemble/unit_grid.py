@@ -17,7 +17,7 @@ def units_at(mesh, grid, names):
         raise ValueError("a grid of units holds %d units at most" % (OUTSIDE - 1))
     rows = numpy.array([row_of.get(i, OUTSIDE) for i in range(max(row_of) + 1)], dtype=numpy.uint8)
     spacing = numpy.array(grid.spacing())
-    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # cell centres get integer coordinates
+    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # centres of grid cells get integer coordinates
     found = numpy.full(numpy.prod(grid.cells), len(mesh.tetrahedra), dtype=numpy.int64)
     for start, end in _batches(points, mesh.tetrahedra, grid.cells):
         _mark(points[mesh.tetrahedra[start:end]], start, grid.cells, found)
@@ -26,7 +26,7 @@ def units_at(mesh, grid, names):
 
 
 def _ranges(corners, cells):
-    """Returns the first and last index of the centres in the box of each tetrahedron, along each axis."""
+    """Returns, along each axis, the first and last grid cell whose centre is in the box around each tetrahedron."""
     low = numpy.ceil(corners.min(axis=1) - 1e-9).astype(numpy.int64)
     high = numpy.floor(corners.max(axis=1) + 1e-9).astype(numpy.int64)
     return numpy.maximum(low, 0), numpy.minimum(high, numpy.array(cells) - 1)
@@ -44,8 +44,8 @@ def _batches(points, tetrahedra, cells):
 
 
 def _mark(corners, first, cells, found):
-    """Enters into `found` the least tetrahedron (counted from `first`) that contains each centre, so that the result is
-    unique for a centre on a face."""
+    """Enters into `found`, for the centre of each grid cell, the tetrahedron of lowest index (counted from `first`)
+    that contains it, so that the result is unique for a centre on a face."""
     low, high = _ranges(corners, cells)
     extent = numpy.maximum(high - low + 1, 0)
     counts = numpy.prod(extent, axis=1)
@@ -75,7 +75,7 @@ def _is_inside(corners, tet, place):
 
 
 def packed(units):
-    """Encodes a grid of units as short text."""
+    """Encodes a grid that holds the row of a rock unit in each cell as short text."""
     return base64.b64encode(zlib.compress(numpy.ascontiguousarray(units).tobytes(), 6)).decode()
 
 
@@ -84,7 +84,7 @@ def unpacked(text, cells):
 
 
 class Probability:
-    """Counts units at cells over realisations."""
+    """Counts, for each cell of a grid, in how many realisations each rock unit is there."""
 
     def __init__(self, grid):
         self._grid = grid

@@ -7,7 +7,7 @@ _KINDS = ("normal", "uniform", "triangular", "lognormal", "pick")
 
 
 def read_value(entry, parameters):
-    """Returns the distribution of an entry; Fixed(0), after reporting a mistake, if there is none."""
+    """Returns the distribution of a value in the study file; Fixed(0), after reporting a mistake, if it is wrong."""
     if entry.is_map():
         return _distribution(entry)
     if entry.is_list():
@@ -37,7 +37,7 @@ def _distribution(entry):
 
 
 def _numbers(entry, n, fits, expected):
-    """Returns the entry's numbers if they are as expected; otherwise reports a mistake and returns None."""
+    """Returns the n numbers of the entry if `fits` accepts them; otherwise reports a mistake and returns None."""
     values = entry.numbers(n)
     if values is not None and not fits(*values):
         entry.mistake(expected + " was expected")

@@ -17,10 +17,10 @@ enum class DelaunayAlgorithm { cavity, flip };
 
 struct DelaunayOptions {
   DelaunayAlgorithm algorithm = DelaunayAlgorithm::cavity;
-  /// Points closer than this to an inserted vertex are deferred to the end (section 2.2). 0: none are deferred;
-  /// negative: derived from the data (2^-44 of the extent if points are that close). The cavity algorithm examines all
-  /// vertices to which the new point would be connected, including the nearest one; the flip algorithm examines those
-  /// of the cell that contains it.
+  /// Points closer than this to an inserted vertex are deferred to the end (Cavalcanti and Mello 1999, section 2.2). 0:
+  /// none are deferred; negative: derived from the data (2^-44 of the extent if points are that close). The cavity
+  /// algorithm examines all vertices to which the new point would be connected, including the nearest one; the flip
+  /// algorithm examines those of the cell that contains it.
   double cluster_distance = -1;
 };
 

@@ -36,10 +36,10 @@ struct MeshExcerpt {
 
 /// Places and items to which an error refers, for messages and for dumps. All lists may be empty.
 struct ErrorContext {
-  std::vector<Index> facets;                        ///< facets of the PLC / soup, or triangles of a surface
-  std::vector<Index> segments;                      ///< segments of the PLC
-  std::vector<VertexIndex> vertices;                ///< vertices of the PLC
-  std::vector<Vec3> places;                         ///< coordinates where the error occurred, the most relevant first
+  std::vector<Index> facets;          ///< indices of facets of the PLC or triangle soup, or of triangles of a surface
+  std::vector<Index> segments;        ///< segments of the PLC
+  std::vector<VertexIndex> vertices;  ///< vertices of the PLC
+  std::vector<Vec3> places;           ///< coordinates where the error occurred, the most relevant first
   std::shared_ptr<const MeshExcerpt> excerpt = {};  ///< the mesh around the error; null if there is none
 };
 

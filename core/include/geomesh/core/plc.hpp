@@ -52,8 +52,7 @@ struct PiecewiseLinearComplex {
   std::vector<Segment> segments;
   std::vector<VertexIndex> isolated_points;
 
-  /// A point inside a region. A seed on a facet is refused (Error{invalid_input}), one outside of the model is
-  /// reported.
+  /// A point inside a region. A seed on a facet is refused (Error{invalid_input}), one outside the model reported.
   struct Seed {
     Vec3 point;
     Index id = no_index;
@@ -92,7 +91,7 @@ struct PiecewiseLinearComplex {
 
 /// One violation of the invariants of a piecewise linear complex (PLC).
 struct PlcFault {
-  std::string message;  ///< names the facets, segments or points at fault, and a place if useful
+  std::string message;  ///< names the facets, segments or points that violate the invariant, and a place if useful
   ErrorContext context;
 };
 

@@ -53,9 +53,9 @@ struct ShapeStatistics {
   Distribution min_dihedral, max_dihedral, solid_angle, radius_ratio, aspect, mean_ratio, edge_length;
   /// Shares of elements whose least dihedral angle is below 10 or above 24.85 degrees.
   double share_below_10 = 0, share_above_24_85 = 0;
-  std::array<std::size_t, 36> dihedral_histogram{};  ///< all dihedral angles, in bins of 5 degrees
-  std::array<std::size_t, 18>
-      min_dihedral_histogram{};  ///< least angle of each element, in bins of 5 degrees from 0 to 90
+  std::array<std::size_t, 36> dihedral_histogram{};      ///< histogram of all dihedral angles, in bins of 5 degrees
+  std::array<std::size_t, 18> min_dihedral_histogram{};  ///< histogram of the elements' least dihedral angles, in bins
+                                                         ///< of 5 degrees from 0 to 90
   std::array<std::size_t, 20> radius_ratio_histogram{};
   /// Number of edges by length / target size: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without sizes.
   std::array<std::size_t, 8> edge_size_histogram{};
@@ -65,7 +65,7 @@ struct ShapeStatistics {
 
 /// Why an element is bad.
 enum class ShapeCause {
-  free,         ///< no feature of the input imposes the shape
+  free,         ///< no feature of the input imposes the element's bad shape
   input_angle,  ///< two facets or segments of the input meet at less than `forcing_angle` at a vertex of the element
   /// The element spans a gap thinner than a quarter of the target size that the tolerance does not allow to close.
   thin_gap,
@@ -77,8 +77,8 @@ struct WorstElement {
   Vec3 place;  ///< centroid
   ShapeCause cause = ShapeCause::free;
   double forcing_angle = 0;                      ///< the small angle of the input in degrees, if `cause` is input_angle
-  Index facet_a = no_index, facet_b = no_index;  ///< input facets that form the angle or bound the gap
-  Index segment_a = no_index, segment_b = no_index;  ///< input segments that form the angle, if any
+  Index facet_a = no_index, facet_b = no_index;  ///< input facets that form the small angle or bound the gap
+  Index segment_a = no_index, segment_b = no_index;  ///< input segments that form the small angle, if any
   double gap = 0;                                    ///< width of the gap, if `cause` is thin_gap
 };
 

@@ -31,7 +31,7 @@ enum class QualityLevel { fast, standard, best };
 /// A target size along a surface or curve.
 struct AskedSize {
   double size = 0;    ///< 0: none
-  double radius = 0;  ///< distance up to which the size is constant; beyond, it grows with the gradation
+  double radius = 0;  ///< distance from the place up to which the size is constant; beyond, it grows with the gradation
 };
 
 /// The target sizes. All members are optional. By default sizes follow the input edges and grow into the interior.
@@ -124,7 +124,7 @@ struct RefineStatistics {
 /// A place where surfaces were kept exactly, because they could not be proven to be within the tolerance otherwise.
 struct KeptPlace {
   Vec3 place{};
-  Index facet = no_index;  ///< facet of the PLC that is nearest to the place
+  Index facet = no_index;  ///< facet of the PLC that is nearest to `place`
 };
 
 struct RefineResult {

@@ -9,12 +9,12 @@ namespace geomesh {
 
 /// Why an edge is short.
 enum class EdgeCause {
-  free,         ///< no feature of the input imposes the edge
+  free,         ///< no feature of the input imposes the short edge
   input_angle,  ///< facets or segments of the input meet at less than 20 degrees at an end of the edge
   thin_gap,     ///< the edge lies in a gap between surfaces that is thinner than the limit of short edges
   near_curves,  ///< the edge connects two curves of the input that are close to each other, or two ends of curves
   bends,        ///< the edge is on a curve that would leave the tolerance if either end were removed
-  near_forced,  ///< the edge is near one imposed by the input, and sizes grow from there by the gradation
+  near_forced,  ///< the edge is near a short edge that the input imposes, from which sizes grow by the gradation
 };
 
 struct ShortEdge {
@@ -28,7 +28,7 @@ struct ShortEdge {
 
 struct ShortEdges {
   std::size_t n = 0, n_forced = 0;
-  std::vector<ShortEdge> worst;  ///< edges without a cause first, then by length divided by size; at most max_worst
+  std::vector<ShortEdge> worst;  ///< short edges, those without a cause first, then by length / size; at most max_worst
 };
 
 /// Returns edges shorter than `share` of the target size (`options.size`, which must be set) at their midpoints. The

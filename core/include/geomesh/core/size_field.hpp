@@ -20,8 +20,8 @@ namespace geomesh {
 struct SizeSource {
   Vec3 point;
   double size = 0;
-  double radius = 0;     ///< distance up to which the size is constant
-  double gradation = 0;  ///< growth of the size beyond the radius; 0: that of the field
+  double radius = 0;     ///< distance from the source up to which its size is constant
+  double gradation = 0;  ///< growth of the size per unit of distance beyond `radius`; 0: the field's gradation
 };
 
 class SizeField {
@@ -41,30 +41,28 @@ class SizeField {
 
   /// Returns the target size at a place in a component (no_index: in none).
   double at(const Vec3& p, Index component = no_index) const;
-  /// Returns the same as at(), but faster, for callers that do not distinguish sizes up to `enough`: if the size is at
-  /// most `enough`, any value up to `enough` may be returned.
+  /// Returns the target size at p as at() does, but faster, for callers that do not distinguish sizes up to `enough`:
+  /// if the size is at most `enough`, any value up to `enough` may be returned.
   double at_unless_below(double enough, const Vec3& p, Index component = no_index) const;
-  /// Returns the same as at(), but faster, because the size at a place q nearby is known. If the size is at least
-  /// `at_most`, any value of at least `at_most` may be returned, which is faster still.
+  /// Returns the target size at p as at() does, but faster, because the size at a place q nearby is known. If the size
+  /// is at least `at_most`, any value of at least `at_most` may be returned, which is faster still.
   double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q,
                    double at_most = std::numeric_limits<double>::infinity()) const;
   /// Returns the largest change of the size per unit of distance; infinity if the size may jump.
   double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }
   std::size_t n_sources() const { return sources_.size(); }
-  /// Returns the field with all sizes multiplied by a factor (exactly by a power of two); radii and gradations are
-  /// kept.
+  /// Returns the field with all sizes multiplied by a factor (exactly by a power of two); radii and gradations remain.
   SizeField times(double factor) const;
-  /// Returns the sources that are not redundant, with their gradations. With the same limits they define the same
-  /// field.
+  /// Returns the sources that are not redundant, with their gradations. With equal limits they define the same field.
   const std::vector<SizeSource>& sources() const { return sources_; }
 
  private:
   struct Node {
     Box3 box;
     double least = 0;           ///< least size of a source in this subtree of the kd-tree
-    double widest = 0;          ///< largest radius of a source in this subtree
-    double gradation = 0;       ///< least gradation of a source in this subtree
+    double widest = 0;          ///< largest radius of a source in this subtree of the kd-tree
+    double gradation = 0;       ///< least gradation of a source in this subtree of the kd-tree
     Index first = 0, last = 0;  ///< sources
     Index left = no_index, right = no_index;
   };

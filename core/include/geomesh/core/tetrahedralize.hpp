@@ -49,8 +49,8 @@ struct RecoveryStatistics {
   /// Conforming mode: facets that are not Delaunay (the mesh contains them nevertheless).
   std::vector<Index> facets_not_recovered;
   std::size_t steiner_on_segments = 0, steiner_on_facets = 0, steiner_inside = 0;
-  std::size_t tetrahedra_unconstrained = 0;  ///< finite cells of the whole hull before recovery
-  std::size_t tetrahedra_final = 0;          ///< finite cells after classification, without the outside
+  std::size_t tetrahedra_unconstrained = 0;  ///< number of tetrahedra of the whole convex hull before recovery
+  std::size_t tetrahedra_final = 0;  ///< number of tetrahedra after classification, without those outside the model
 };
 
 /// The tetrahedral mesh in plain arrays, in a deterministic order: input vertices first, in input order. It does not

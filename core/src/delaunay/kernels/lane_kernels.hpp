@@ -21,7 +21,7 @@ namespace geomesh {
 template <unsigned Dim>
 struct CavityFace {
   std::array<VertexIndex, Dim> vertices;
-  FaceRef outer;  ///< the face as seen from outside the cavity
+  FaceRef outer;  ///< the cavity's boundary face, as seen from the cell outside
 };
 
 /// The mesh, and the point p to be located or inserted. The infinite vertex has NaN coordinates, so filters fail.
@@ -35,14 +35,14 @@ struct LaneQuery {
 
 /// The lists of a growing cavity. Lists of cells and of faces have room for `capacity` items each.
 struct CavityLists {
-  CellIndex* cells = nullptr;  ///< cells in conflict; those before `n_done` have been processed
+  CellIndex* cells = nullptr;  ///< cells in conflict with the point; the first `n_done` have been processed
   CavityFace<3>* faces = nullptr;
   std::size_t n_cells = 0, n_done = 0, n_faces = 0, capacity = 0;
-  /// Result: least squared distance from the point to a vertex of the cavity, and so to any vertex.
+  /// Result: squared distance from the new point to the nearest vertex of the cavity, which is the nearest of all.
   double nearest = 0;
 };
 
-/// Serves the loop that grows a cavity: makes exact tests where the filters fail, and enlarges the lists.
+/// Serves the loop that grows a cavity: makes exact tests where the filters fail, and enlarges the cavity's lists.
 class CavityHost {
  public:
   /// Returns a mask of the `undecided` neighbours of `cell` in conflict. `value[i]` is the determinant of neighbour i.
@@ -67,7 +67,7 @@ namespace detail {
 extern const LaneKernels baseline_kernels, avx2_kernels;
 }
 
-/// Returns the kernels for this processor; all versions compute the same bits.
+/// Returns the functions of the lane kernels for this processor; all versions compute the same bits.
 const LaneKernels& lane_kernels();
 
 }  // namespace geomesh

@@ -82,7 +82,7 @@ GEOMESH_INLINE FourPoints four_points(const PointRecord* points, const VertexInd
   return r;
 }
 
-/// Returns a mask of the lanes whose points lie outside the owned part of the Hilbert curve.
+/// Returns a mask of the lanes whose points lie off the Hilbert curve's part that the insertion may change.
 GEOMESH_INLINE unsigned foreign(Mask tag, Ownership owned) {
   const Mask place = tag >> 48 & 0xFFFF;
   return signs((place - owned.first) | ((owned.end - 1) - place));
@@ -99,8 +99,8 @@ GEOMESH_INLINE Lanes bound(Lanes w, Lanes degree, double exact_reach) {
   return w > exact_reach * exact_reach ? degree : Lanes{};
 }
 
-// Excluded from the thread sanitizer: whole records are loaded, including a number that is not used here and that
-// another part may be writing.
+// Functions marked so are excluded from the thread sanitizer: they load whole point records, including the field
+// `local`, which they do not use and which another thread may be writing.
 #if defined(__SANITIZE_THREAD__)
 #define GEOMESH_WHOLE_RECORDS __attribute__((no_sanitize("thread")))
 #else
@@ -125,7 +125,7 @@ bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
     const Lanes det = rz * (sx * ty - tx * sy) + sz * (tx * ry - rx * ty) + tz * (rx * sy - sx * ry);
     const Lanes w = greater(greater(face_r(q.w), face_s(q.w)), face_t(q.w));
     const Lanes error = bound(w, filter::orient3d_factor * w * root_bound(w), reach);
-    // The determinant is positive in the lanes of those faces that separate p from the cell.
+    // The orientation determinant is positive in the lanes of those faces that separate p from the cell.
     const unsigned beyond = signs(det > error);
     if (beyond == 0) {
       inside = signs(det < -error) == 0xFu;
@@ -162,7 +162,7 @@ GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e,
   return {det, error};
 }
 
-/// Appends the faces i of the cell for which bit i of `closed` is set, and returns the new number. Needs room for four.
+/// Appends the cell's faces i for which bit i of `closed` is set; returns the new number of faces. Needs room for 4.
 GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned closed, CavityFace<3>* faces,
                                         std::size_t n_faces) {
   const Indices v = *reinterpret_cast<const Indices*>(cell), o = *reinterpret_cast<const Indices*>(cell + 4);
@@ -231,7 +231,7 @@ bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, Cavity
 #pragma GCC unroll 4
     for (unsigned i = 0; i < 4; ++i) {
       const unsigned taken = conflict >> i & 1u;
-      // Flags of other cells are not rewritten, not even with the same value, because another part may read them.
+      // Flags of cells that are not in conflict are not rewritten, even unchanged: another thread may be reading them.
       *(taken ? flags + next[i] : &unused) = static_cast<std::uint8_t>(flag[i] | mark);
       cavity[n_cells] = next[i];
       n_cells += taken;

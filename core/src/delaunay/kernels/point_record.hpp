@@ -12,8 +12,8 @@ namespace geomesh {
 /// A point of 32 bytes, half a cache line. Slicing to Vec3 gives the coordinates.
 struct PointRecord : Vec3 {
   VertexIndex id = no_vertex;      ///< the caller's index of the point
-  std::uint16_t local = no_local;  ///< number among the vertices of the cavity's boundary during an insertion
-  std::uint16_t place = 0;         ///< part of the Hilbert curve (SpatialOrder::place)
+  std::uint16_t local = no_local;  ///< during an insertion, index among the vertices of the cavity's boundary
+  std::uint16_t place = 0;         ///< part of the Hilbert curve in which the point lies (SpatialOrder::place)
   static constexpr std::uint16_t no_local = 0xFFFF;
 };
 static_assert(sizeof(PointRecord) == 32);

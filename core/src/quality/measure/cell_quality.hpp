@@ -14,7 +14,7 @@
 
 namespace geomesh::remesh {
 
-/// In sums over cells (CellQuality::worth), a shape's distance below the measure's limit `poor` counts so many times.
+/// Weight, in sums over cells (CellQuality::worth), of the amount by which a cell's shape is below the limit `poor`.
 inline constexpr double poor_weight = 3;
 
 /// Least dihedral angle in degrees below which a cell is bad.

@@ -40,7 +40,7 @@ std::array<double, 6> weighted_sines(const Frame& f, const std::array<Vec3, 3>& 
           weighted(d * length(face[0] - face[2]) / (f.lb * f.lp), dot(f.nb, f.np))};
 }
 
-/// Returns the gradient of the weighted sine at edge k, which equals `value`.
+/// Returns the gradient, by the apex, of the weighted sine of the dihedral angle at edge k; `value` is this sine.
 Vec3 gradient_of_sine(const Frame& f, unsigned k, double value) {
   const Vec3 area_a = (1 / (f.la * f.la)) * cross(f.b - f.c, f.na);
   const Vec3 area_b = (1 / (f.lb * f.lb)) * cross(f.c - f.a, f.nb);

@@ -26,7 +26,7 @@ struct DihedralMeasure {
 
   /// Returns the value of the measure for an acute angle in degrees.
   static double of_angle(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }
-  /// Returns an upper bound, concave in the angle, of the measure of cells with an angle (acute or right) of this sine.
+  /// Returns a bound, concave in the angle, of the measure of cells with a dihedral angle <= 90 that has this sine.
   static double most_with_angle(double sine, double /*cosine*/) { return sine; }
 
   /// Returns the measure of a positive cell. Squares of sines are compared, so that one square root is enough.
@@ -35,7 +35,7 @@ struct DihedralMeasure {
     return t.det * root(Squares<Real>(base, t).least);
   }
 
-  /// Returns the gradient with respect to the apex. Each factor of the least sine adds its logarithmic derivative.
+  /// Returns the measure's gradient by the apex: the least sine times the sum of its factors' logarithmic derivatives.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
     const Squares<Real> s(base, t);

@@ -14,10 +14,10 @@ namespace geomesh::remesh {
 /// Four faces of a link, one per lane, with the values that all tetrahedra over a face share.
 struct alignas(32) FourFaces {
   using Lanes = double[4];
-  Lanes corner[3][3];  ///< coordinates by corner and axis
-  Lanes normal[3];     ///< inward normal, whose length is twice the area
-  Lanes inverse;       ///< reciprocal of the squared length of the normal
-  Lanes squared[3];    ///< squared lengths of the edges ab, bc, ca
+  Lanes corner[3][3];  ///< coordinates of the faces' corners, by corner and axis
+  Lanes normal[3];     ///< inward normals of the faces, each as long as twice the face's area
+  Lanes inverse;       ///< reciprocal of the squared length of the face's normal
+  Lanes squared[3];    ///< squared lengths of the edges ab, bc, ca of the faces (a, b, c)
   Lanes share;  ///< weight of the face: 0 in lanes that repeat a face to fill the last group of four, otherwise 1
 };
 
@@ -26,7 +26,7 @@ struct LinkKernels {
   /// Computes the normals and squared edge lengths of the faces of the link from their corners.
   void (*prepare)(FourFaces* faces, std::size_t n_fours);
   void (*shapes)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double* shapes);
-  /// Returns the least shape, or some shape that is at most `enough`.
+  /// Returns the worst shape of the cells between a link and its apex p, or some shape that is at most `enough`.
   double (*worst)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double enough);
   /// Returns the sum of CellQuality::worth of all cells; minus infinity if a shape is not above `floor`.
   double (*sum_of_worths)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double floor);

@@ -39,7 +39,7 @@ void shapes(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double* 
   const Vectors<Lanes> at = place<Lanes>(p);
   for (std::size_t k = 0; k < n_fours; ++k) {
     const Lanes four = shape_over<Measure>(base_of(faces[k]), at);
-    __builtin_memcpy(out + 4 * k, &four, sizeof four);  // `out` is aligned for doubles only
+    __builtin_memcpy(out + 4 * k, &four, sizeof four);  // memcpy: `out` is aligned for single doubles, not for vectors
   }
 }
 

@@ -14,13 +14,13 @@ namespace geomesh::remesh {
 /// these cells are computed with the same bits as by CellQuality::shape.
 class LinkShapes {
  public:
-  /// Removes all faces, and sets the measure of the shapes that will be computed.
+  /// Removes all faces of the link, and sets the measure of the shapes that will be computed.
   void clear(const LinkKernels& kernels) {
     n_ = 0;
     kernels_ = &kernels;
   }
   void add(const Vec3& a, const Vec3& b, const Vec3& c);
-  /// Computes normals and lengths of all faces. Must be called once, after the last `add` and before any shape.
+  /// Computes normals and edge lengths of the link's faces. Must be called after the last `add` and before any shape.
   void prepare();
   std::size_t size() const { return n_; }
   Vec3 corner(std::size_t face, unsigned k) const {

@@ -142,7 +142,7 @@ struct MeasureList {
   }
 };
 
-/// The measures in the order of the enumeration.
+/// The quality measures in the order of the enumeration QualityMeasure.
 using QualityMeasures = MeasureList<DihedralMeasure, RadiusRatioMeasure, MeanRatioMeasure>;
 static_assert(QualityMeasures::size == n_quality_measures);
 

@@ -12,7 +12,7 @@ namespace geomesh {
 
 namespace {
 
-/// Positions in edge_vertices of the edges at each vertex.
+/// For each vertex of a tetrahedron, the positions in edge_vertices of its three edges.
 constexpr std::array<std::array<std::uint8_t, 3>, 4> edges_at{{{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}}};
 
 /// An angle from 0 to 180 degrees, given by its sine and cosine times a common length. Angles compare by their size.
@@ -49,7 +49,7 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
   s.min_dihedral = 180;
   for (unsigned e = 0; e < 6; ++e) {
     const auto [i, j] = edge_vertices[e];
-    const auto [k, l] = edge_vertices[5 - e];  // the faces at edge i-j are opposite the other two vertices
+    const auto [k, l] = edge_vertices[5 - e];  // the two faces at edge i-j are opposite vertices k and l
     const double length = distance(p[i], p[j]);
     s.shortest_edge = std::min(s.shortest_edge, length);
     s.longest_edge = std::max(s.longest_edge, length);
@@ -81,7 +81,7 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double det = dot(cross(b - a, c - a), d - a);
   const std::array<Vec3, 4> p{a, b, c, d}, n = inward_normals(p);
-  if (!(det > 0)) {  // flat or inverted, or a needle whose volume is lost in rounding
+  if (!(det > 0)) {  // the tetrahedron is flat, inverted, or a needle whose volume is lost in rounding
     const TetrahedronShape s = shape_of(p, n);
     return {s.min_dihedral, s.max_dihedral};
   }
@@ -98,7 +98,7 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
 
 namespace {
 
-/// Returns the position in edge_vertices of the edge between two corners.
+/// Returns the position in edge_vertices of the edge between two corners of a tetrahedron.
 unsigned edge_between(unsigned i, unsigned j) {
   unsigned e = 0;
   while (!(edge_vertices[e][0] == std::min(i, j) && edge_vertices[e][1] == std::max(i, j))) ++e;
@@ -111,7 +111,7 @@ std::array<Vec3, 4> careful_normals(const std::array<Vec3, 4>& p) {
   std::array<Vec3, 4> n;
   for (unsigned i = 0; i < 4; ++i) {
     const auto& f = face_vertices[i];
-    unsigned first = 0;  // corner opposite the longest edge
+    unsigned first = 0;  // corner of the face opposite the face's longest edge
     double longest = 0;
     for (unsigned k = 0; k < 3; ++k)
       if (const double edge = distance(p[f[(k + 1) % 3]], p[f[(k + 2) % 3]]); edge > longest) {

@@ -78,9 +78,9 @@ GEOMESH_INLINE Vectors<Real> place(const Vec3& p) {
 template <class Real>
 struct Base {
   Vectors<Real> corner[3];
-  Vectors<Real> normal;  ///< inward normal, whose length is twice the area
-  Real inverse;          ///< reciprocal of the squared length of the normal
-  Real squared[3];       ///< squared lengths of the edges ab, bc, ca
+  Vectors<Real> normal;  ///< inward normal of the face, whose length is twice the face's area
+  Real inverse;          ///< reciprocal of the squared length of the face's normal
+  Real squared[3];       ///< squared lengths of the edges ab, bc, ca of the face (a, b, c)
 };
 
 template <class Real>

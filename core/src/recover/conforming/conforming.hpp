@@ -25,7 +25,7 @@ namespace geomesh::recover {
 /// Reasons for which conforming mode gives a facet up.
 enum class GivenUpFor : std::uint8_t {
   points,     ///< more than max_steiner_per_facet points on the facet or on one of its segments
-  shortness,  ///< an edge would be shorter than 2^-40 of the largest coordinate
+  shortness,  ///< an edge of the mesh would be shorter than 2^-40 of the largest coordinate
   place,      ///< a new point equals a vertex, or rounding has made the facet's own 2D triangulation invalid
   budget,     ///< no more points are allowed on all facets and segments together
 };
@@ -102,7 +102,7 @@ class ConformingRecovery {
   EdgeMap segment_of_ends_;  ///< model segments
   std::priority_queue<QueuedSegment> missing_segments_;
   std::deque<Index> missing_facets_;
-  FaceMap facet_of_face_;                        ///< for each mesh face known to be a part of a facet: the facet
+  FaceMap facet_of_face_;                        ///< the facet of each mesh face that is known to be a part of one
   std::vector<std::uint8_t> facet_queued_;       ///< per subfacet
   std::vector<std::uint8_t> facet_is_given_up_;  ///< per subfacet
   /// for each vertex of the model, whether segments meet there at less than 60 degrees

@@ -117,7 +117,7 @@ bool ConformingRecovery::register_if_present(Index f) {
 void ConformingRecovery::insert_into_facet(Index f) {
   constraints_.make_piece(f);
   for (const DirectedEdge& e : constraints_.piece_of(f).border)
-    // This edge is missing because its segment was given up.
+    // The missing edge is on a segment that was given up, so the facet is given up, too.
     if (mesh_.find_edge(e[0], e[1]) == no_cell) return give_up_facet(f, GivenUpFor::points);
   if (facet_is_sharp_[f] && points_on_facet_[f] >= options_.max_steiner_per_facet)
     return give_up_facet(f, GivenUpFor::points);

@@ -76,10 +76,10 @@ void ConformingRecovery::mark_sharp_vertices() {
                                        mesh_.point(joined[v][j]) - mesh_.point(v), recovery_budget.sharp_cosine);
 }
 
-/// Marks facets that meet another one at less than 90 degrees, or have a sharp vertex.
+/// Marks facets that meet another facet at less than 90 degrees, or have a vertex at which segments meet sharply.
 void ConformingRecovery::mark_sharp_facets() {
   facet_is_sharp_.assign(constraints_.subfacets.size(), 0);
-  std::vector<Vec3> inner;  // unit vectors from a subsegment into each of its facets
+  std::vector<Vec3> inner;  // vectors into the facets at a subsegment, perpendicular to it
   for (const Subsegment& s : constraints_.subsegments) {
     inner.clear();
     for (const Index f : s.subfacets) inner.push_back(inwards(s, f));

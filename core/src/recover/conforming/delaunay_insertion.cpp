@@ -7,11 +7,11 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Edges of a tetrahedron, each with its two other vertices.
+/// Edges of a tetrahedron, by position of vertices, each followed by the two vertices that are not on it.
 constexpr std::array<std::array<std::uint8_t, 4>, 6> edges_and_others{
     {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
 
-/// Lists the faces between two marked cells of a cavity, and the edges that are lost with it, along with a few others.
+/// Lists the faces inside a cavity, and the edges that are lost when its cells are replaced, with a few that are kept.
 void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
   out.edges.clear();
   out.faces.clear();
@@ -39,7 +39,7 @@ bool mark_conflicts(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, std::
   for (const VertexIndex v : cells.vertices(first))
     if (mesh.point(v) == p) return false;
   const auto conflicts = [&](CellIndex c) {
-    if (cells.is_ghost(c)) return false;  // a point strictly inside the box
+    if (cells.is_ghost(c)) return false;  // ghosts are not in conflict with points strictly inside the box
     const auto& v = cells.vertices(c);
     return in_sphere_perturbed(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), p) ==
            Sign::positive;

@@ -12,14 +12,14 @@ namespace geomesh::recover {
 struct DelaunayInsertion {
   VertexIndex vertex = no_vertex;  ///< the new vertex; no_vertex if the point equals a vertex or lies outside the box
   std::vector<std::array<VertexIndex, 2>>
-      edges;                    ///< edges that the insertion removed, some repeatedly, and a few that it did not remove
-  std::vector<Triangle> faces;  ///< faces that were removed: those between two cells in conflict
+      edges;                    ///< mesh edges that the insertion removed, some repeatedly, and a few that it kept
+  std::vector<Triangle> faces;  ///< faces that the insertion removed: those between two cells in conflict with it
 };
 
 /// Inserts point p by the Delaunay cavity algorithm and stores the result in `out`, whose lists are reused.
 void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out);
 
-/// Returns the cells in conflict with p, first the one that contains p; none if p is a vertex or outside the box.
+/// Returns the cells in conflict with point p, first one that contains p; none if p is a vertex or off the model's box.
 std::vector<CellIndex> conflict_cells(ConstrainedMesh& mesh, const Vec3& p, CellIndex start);
 /// Replaces the cells in conflict with p by the star of p. `cavity` must contain all of them and not be empty.
 void insert_into(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out);

@@ -13,7 +13,7 @@ namespace geomesh::recover {
 /// Returns the cells at a mesh face or edge that a line crosses: two cells at a face, or all cells around an edge.
 std::vector<CellIndex> crossed_cells(const ConstrainedMesh& mesh, const Crossing& c);
 
-/// The mesh edges and faces that a missing subsegment crosses, and the parameters on it where it does.
+/// The mesh edges and faces that a missing subsegment crosses, and the parameters of the crossings on the subsegment.
 struct CrossingsOnLine {
   LineCrossings line;
   std::vector<double> parameters;

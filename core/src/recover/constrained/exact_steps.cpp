@@ -64,7 +64,7 @@ class SegmentStep {
       if (u != c.v[0] && u != c.v[1] && mesh_.orient(a_, b_, c.v[0], u) != Sign::zero) return {c.v[0], c.v[1], u};
     return {c.v[0], c.v[1], c.v[0]};
   }
-  /// Returns roughly where on the segment (0 to 1) it crosses a mesh face or edge, to order such crossings.
+  /// Returns roughly the parameter on the segment (0 to 1) at which it crosses a mesh face or edge, to order crossings.
   double rough_parameter_of(const Crossing& c) const {
     const Triangle plane = plane_through(c);
     const auto height = [&](VertexIndex v) {

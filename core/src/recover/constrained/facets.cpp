@@ -68,7 +68,7 @@ class FacetRecovery {
     return true;
   }
 
-  /// Recovers the subfacet, a triangle without added points, by filling the cavity around its piercing edges anew.
+  /// Recovers a subfacet, a triangle without added points, by filling the cavity of the edges that pierce it anew.
   bool by_cavity(std::size_t max_nodes) {
     const FacetTrace trace = checked_trace();
     if (trace.status != FacetTrace::Status::pierced || !is_plain_) return false;
@@ -102,7 +102,7 @@ class FacetRecovery {
  private:
   struct Piercing {
     PiercingEdge edge;
-    /// 0 if flips have not been tried on this edge; else 1 + the mesh's number of changes when they last failed
+    /// 0 if flips have not tried to remove the edge; else 1 + the mesh's number of changes when they last failed
     std::size_t tried;
   };
 
@@ -112,7 +112,7 @@ class FacetRecovery {
     return {t.begin(), t.end()};
   }
 
-  /// Returns whether traces of this facet have found so few faces and edges that it may be traced again.
+  /// Returns whether searches for the facet's faces in the mesh have found so few items that one more is allowed.
   bool may_trace_again() const { return n_traced_ < recovery_budget.traced_of_facet; }
 
   FacetTrace checked_trace() {
@@ -167,8 +167,8 @@ class FacetRecovery {
     return true;
   }
 
-  /// Returns the point at which the edge pierces the plane of the input's corners. It is computed with twice a double's
-  /// precision, because the plane of a thin triangle is known to fewer digits than its corners.
+  /// Returns the point at which the edge pierces the plane of the facet's input vertices. It is computed with twice a
+  /// double's precision, because the plane of a thin triangle is known to fewer digits than its corners.
   Vec3 piercing_point(const PiercingEdge& e) const {
     using exact::TwoDouble;
     const Vec3 &p = mesh_.point(plane_[0]), &a = mesh_.point(e.below), &b = mesh_.point(e.above);
@@ -225,7 +225,7 @@ class FacetRecovery {
     }
   }
 
-  /// Adds a point to the facet on the first piercing edge that can be split; removes that edge from the list.
+  /// Adds a point to the facet where the first edge in `left` that can be split pierces it; takes the edge from `left`.
   bool split_one(std::vector<Piercing>& left) {
     for (std::size_t i = 0; i < left.size(); ++i) {
       const PiercingEdge e = left[i].edge;
@@ -257,7 +257,7 @@ class FacetRecovery {
     Constraints& constraints = recovery_.constraints;
     const Index facet = constraints.subfacets[subfacet_].facet;
     if (!is_plain_) {
-      // A face belongs to another facet: rounding has folded facets that meet at a tiny angle onto each other.
+      // Rounding may have folded facets that meet at a tiny angle onto each other: a mesh face then belongs to both.
       for (const Triangle& t : trace.faces)
         if (constraints.subfacet_of(t[0], t[1], t[2]) != no_index)
           return recovery_.end(error_of_facet_not_recovered(recovery_, subfacet_));
@@ -278,9 +278,9 @@ class FacetRecovery {
   std::vector<DirectedEdge> border_;
   FacetSides sides_;
   bool is_plain_ = true;         ///< whether the facet is a triangle to which no point has been added
-  bool has_been_split_ = false;  ///< whether a point has been added to this facet
-  std::size_t n_traced_ = 0;     ///< number of faces and piercing edges that traces of this facet have found
-  std::size_t work_left_ = 0;    ///< number of edges and faces that flips for this facet may still try
+  bool has_been_split_ = false;  ///< whether recovery has added a point to the facet
+  std::size_t n_traced_ = 0;     ///< number of mesh faces and piercing edges found by all searches for the facet
+  std::size_t work_left_ = 0;    ///< number of edges and faces that flips for the facet may still try to remove
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& cr
   const FaceRef beyond = mesh.cells().mirror(crossing.face);
   const VertexIndex a = mesh.cells().vertex(crossing.cell, crossing.face.face());
   const VertexIndex d = mesh.cells().vertex(beyond.cell(), beyond.face());
-  const auto v = crossing.v;  // vertices of the face, counter-clockwise as seen from a
+  const auto v = crossing.v;  // vertices of the crossed face, counter-clockwise as seen from a
   for (unsigned k = 0; k < 3; ++k) {
     const VertexIndex p = v[k], q = v[(k + 1) % 3];
     if (mesh.orient(p, q, d, a) == Sign::positive) continue;
@@ -35,7 +35,7 @@ bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& cr
 
 namespace {
 
-/// Repeatedly removes the first crossing of the missing edge a-b, alternately from both ends.
+/// Repeatedly removes the first mesh face or edge that the missing edge a-b crosses, alternately from both ends.
 bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left) {
   EdgeRemover remover(recovery.mesh, recovery.constraints, &work_left);
   unsigned failures = 0;
@@ -64,8 +64,8 @@ bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigne
   return false;
 }
 
-/// Removes by flips one after the other of the mesh faces and edges that the missing edge a-b crosses, in any order, if
-/// fewer remain, or sometimes as many.
+/// Removes the mesh faces and edges that the missing edge a-b crosses by flips, one after the other in any order. A
+/// removal is kept if fewer crossings remain, or sometimes as many.
 class CrossingReduction {
  public:
   CrossingReduction(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left)

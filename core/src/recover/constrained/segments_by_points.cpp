@@ -113,7 +113,7 @@ class PointsOnSegments {
   explicit PointsOnSegments(Recovery& recovery)
       : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints) {}
 
-  /// Recovers one subsegment. Ends the attempt if no point can be placed or `most_points` points do not suffice.
+  /// Recovers one subsegment. Ends the attempt at recovery if no point can be placed or `most_points` do not suffice.
   void recover(Index first) {
     std::vector<Index> stack{first};
     std::size_t work_left = recovery_budget.flips_tried;

@@ -87,8 +87,8 @@ class ExactPlaces {
   bool are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
 
-  VertexIndex first_ = no_vertex;  ///< the smallest vertex that ever had an exact place
-  std::vector<Index> row_of_;      ///< row in rows_ of vertex first_ + k; no_index if its place is a double
+  VertexIndex first_ = no_vertex;  ///< smallest index of a vertex that ever had an exact place
+  std::vector<Index> row_of_;      ///< by vertex from first_ on: row in rows_; no_index if its coordinates are doubles
   std::vector<Row> rows_;
   mutable std::size_t n_decided_ = 0;
 };

@@ -64,7 +64,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// Adds a vertex that is not yet in any cell.
   VertexIndex add_point(const Vec3& p);
   VertexIndex add_point(ExactPlace place);
-  /// Moves a vertex. The caller must have checked its star, unless the vertex is in no cell.
+  /// Moves a vertex. The caller must have checked that all cells at the vertex, if any, remain positive.
   void move_point(VertexIndex v, const Vec3& p) {
     exact_.erase(v);
     points_[v] = p;
@@ -113,9 +113,9 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   EpochMarks& marks() { return marks_; }
   /// Returns the vertices connected with v by an edge, without the infinite one, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v);
-  /// Returns a cell with both vertices, or no_cell. Walks around a towards b, so a must be in the mesh; exact.
+  /// Returns a cell with both vertices a and b, or no_cell. Walks around a towards b, so a must be in the mesh; exact.
   CellIndex find_edge(VertexIndex a, VertexIndex b);
-  /// Returns a cell with both vertices, or no_cell. Examines `hint` first: any cell, a dead one or no_cell.
+  /// Returns a cell with the vertices a and b, or no_cell. Examines `hint` first: any cell, a dead one or no_cell.
   CellIndex find_edge(VertexIndex a, VertexIndex b, CellIndex hint) {
     const bool is_there =
         hint < mesh_.n_slots() && mesh_.is_live(hint) && mesh_.has_vertex(hint, a) && mesh_.has_vertex(hint, b);
@@ -185,9 +185,9 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
 
   struct CreatedCell {
     Tetrahedron vertices;
-    CellIndex slot;  ///< slot in which the cell was stored when it was created
+    CellIndex slot;  ///< slot of the mesh in which the cell was stored when it was created
   };
-  /// Rows at which the lists of removed and created cells of each replacement begin.
+  /// Rows in the journal at which the lists of cells that one exchange of cells removed and created begin.
   struct JournalEntry {
     std::size_t removed, created;
   };
@@ -212,7 +212,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::vector<std::size_t> last_change_;  ///< by vertex
   std::vector<CellIndex> created_;
   std::vector<FaceRef> star_faces_;  ///< for each new cell of a star, its face on the former cavity's boundary
-  std::vector<CellIndex> tested_;    ///< cells that the search for a cavity has examined and left out
+  std::vector<CellIndex> tested_;    ///< cells that a search for a cavity has tested and not added to it
   EpochMarks marks_;
   Random random_;
 };

@@ -20,7 +20,7 @@ void ConstrainedMesh::replace(std::span<const CellIndex> old_cells, std::span<co
 void ConstrainedMesh::exchange_cells(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra,
                                      bool is_noted) {
   const auto make = [&](std::size_t k) {
-    if (k == 0) created_.clear();  // not earlier, because the list of cells to be removed may be created_ itself
+    if (k == 0) created_.clear();  // cleared this late because the removed cells may be listed in created_
     const CellIndex c = mesh_.add_cell(tetrahedra[k]);
     created_.push_back(c);
     if (is_noted) journal_created_.push_back({tetrahedra[k], c});
@@ -46,7 +46,7 @@ void ConstrainedMesh::replace_by_star(std::span<const CellIndex> cavity, VertexI
   GEOMESH_CHECK(journal_depth_ == 0);
   created_.clear();
   star_faces_.clear();
-  // Outer neighbours are linked to the new cells. The old cells keep their links, for turns around edges in the cavity.
+  // Cells outside the cavity are linked to the new cells. Old cells keep their links, for turns around edges inside it.
   for (const CellIndex c : cavity)
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef outer = mesh_.neighbor(c, i);
@@ -102,7 +102,7 @@ void ConstrainedMesh::roll_back(std::size_t mark) {
     journal_.pop_back();
     cells.clear();
     for (std::size_t i = entry.created; i < journal_created_.size(); ++i) {
-      // Slots are reused, so the cell may be in another slot. A positive cell (a,b,c,d) lies above its face a,b,c.
+      // The cell may be in another slot than at its creation. A positive (a,b,c,d) is then found above its face a,b,c.
       const auto& [t, slot] = journal_created_[i];
       cells.push_back(mesh_.vertices(slot) == t ? slot : find_face(t[0], t[1], t[2]).cell());
     }

@@ -29,22 +29,22 @@ struct Subsegment {
 
 using DirectedEdge = std::array<VertexIndex, 2>;
 
-/// A triangle that is, or should become, a face of the mesh, or a `piece`: a part of a facet that any faces may cover.
+/// A triangle that is, or should become, a mesh face, or a `piece`: a part of a facet that any mesh faces may cover.
 struct Subfacet {
-  Triangle vertices{};  ///< corners in the facet's orientation; for a piece any three that span its plane
+  Triangle vertices{};  ///< corners of the subfacet in the facet's orientation; for a piece three that span its plane
   Index facet = no_index;
   bool live = true;
   Index piece = no_index;
-  CellIndex seen_in = no_cell;  ///< a cell that had this face when it was last found (presence.hpp)
+  CellIndex seen_in = no_cell;  ///< a cell that had the subfacet as a face when it was last found (presence.hpp)
 };
 
 /// A part of a facet with more than three vertices on its border or inside: an exactly planar polygon, or a triangle on
 /// whose border points were added. Any mesh faces between its vertices may cover it, so inner edges require no points.
 struct FacetPiece {
   std::vector<DirectedEdge>
-      border;  ///< edges with the piece on their left, seen from above; an inner segment in both directions
-  std::vector<VertexIndex> members;  ///< all vertices of the piece, on its border and inside
-  std::vector<Triangle> seen{};      ///< mesh faces that covered the piece when it was last found
+      border;  ///< border edges, with the facet's piece on their left seen from above; segments inside it both ways
+  std::vector<VertexIndex> members;  ///< all vertices on the border of the facet's piece and inside it
+  std::vector<Triangle> seen{};      ///< mesh faces that covered the piece of the facet when they were last found
   std::vector<CellIndex> seen_in{};  ///< for each face of `seen`, the cell in which it was found
 };
 
@@ -57,7 +57,7 @@ struct ModelSegment {
 /// The input item on which a vertex was placed, as recorded at its insertion instead of found by its coordinates.
 struct VertexRecord {
   VertexOrigin origin = VertexOrigin::input;
-  Index owner = no_index;  ///< row of the model segment or facet on which the vertex was added
+  Index owner = no_index;  ///< row of the model segment or facet on which meshing added the vertex
 };
 
 class Constraints {

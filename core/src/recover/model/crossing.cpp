@@ -15,7 +15,7 @@ bool crossing_in_cell(const ConstrainedMesh& mesh, CellIndex c, VertexIndex a, V
   const unsigned i = cells.index_of(c, a);
   const auto& v = cells.vertices(c);
   const auto& local = face_vertices[i];
-  std::array<Sign, 3> side;  // side[k]: that of vertex b relative to the cell's face opposite vertex local[k]
+  std::array<Sign, 3> side;  // side[k]: side of the cell's face opposite vertex local[k] on which vertex b lies
   for (unsigned k = 0; k < 3; ++k) {
     side[k] = mesh.orient(a, v[local[(k + 1) % 3]], v[local[(k + 2) % 3]], b);
     if (side[k] == Sign::positive) return false;
@@ -125,7 +125,7 @@ class LineWalk {
         cross_edge(at, c, v[k], d);
         return true;
       }
-    return false;  // the line runs through d, the vertex opposite the face
+    return false;  // the line runs through the vertex d opposite the face that it crossed
   }
 
   bool leave_edge(Crossing& at) {

@@ -11,7 +11,7 @@
 namespace geomesh::recover {
 
 struct DeclaredModel {
-  std::vector<VertexIndex> input_vertex;  ///< row in plc.points of each vertex; only used points, in input order
+  std::vector<VertexIndex> input_vertex;  ///< row in plc.points of each vertex; only points of items, in input order
   Constraints constraints;
   std::vector<Index> segment_of_row;  ///< for each segment of the complex, its row in constraints.segments
   std::vector<VertexIndex> isolated_points;

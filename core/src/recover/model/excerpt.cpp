@@ -63,7 +63,7 @@ class ExcerptBuilder {
   ConstrainedMesh& mesh_;
   const Constraints& constraints_;
   MeshExcerpt out_;
-  std::vector<VertexIndex> rows_;  ///< for each vertex of the mesh, its row in the extracted part, or no_vertex
+  std::vector<VertexIndex> rows_;  ///< by vertex of the mesh: its row in the excerpt, or no_vertex
   std::set<CellIndex> seen_;
 };
 

@@ -73,8 +73,8 @@ class PiercingSearch {
   DirectedEdgeSet seen_;  ///< from below
 };
 
-/// Searches the ring around an edge p->q of a facet for a vertex that is on the edge's left, in the facet or cut by it.
-/// Functions return its row in the ring, or the ring's size if there is none.
+/// Searches the ring of vertices around a facet's edge p->q for where the facet continues on the edge's left: at a
+/// vertex or an edge of the ring. Functions return a row in the ring, or the ring's size if there is none.
 class LeftOfEdge {
  public:
   LeftOfEdge(const ConstrainedMesh& mesh, const FacetSides& sides, const EdgeRing& ring, DirectedEdge edge,
@@ -110,8 +110,8 @@ class LeftOfEdge {
     }
     return best;
   }
-  /// Finds a vertex of the facet that lies, up to rounding, on the line of p-q. The triangle that it forms with p and q
-  /// is a part of the facet without width.
+  /// Finds a vertex of the facet in the ring around p-q that lies on the line p-q up to rounding. Its triangle with p
+  /// and q is a part of the facet without width.
   std::size_t thin_member() const {
     const std::size_t n = ring_.size();
     std::size_t thin = n;
@@ -133,14 +133,14 @@ class LeftOfEdge {
 
  private:
   bool may_follow(VertexIndex u) const { return u != right_ && sides_.is_member(u); }
-  /// Returns the cosine of the angle around p-q between the direction to the facet's left and the point v.
+  /// Returns the cosine of the angle, around edge p-q, between the facet on the left of the edge and the point v.
   double leftness(const Vec3& v) const {
     const Vec3 &p = mesh_.point(edge_[0]), &q = mesh_.point(edge_[1]);
     const Vec3 normal = sides_.normal(), turn = cross(q - p, v - p);
     const double length = std::sqrt(dot(normal, normal) * dot(turn, turn));
     return length > 0 ? dot(normal, turn) / length : -1;
   }
-  /// Returns the point at which edge u-v crosses the facet's plane.
+  /// Returns the point at which the edge u-v of the mesh crosses the facet's plane.
   Vec3 in_plane(VertexIndex u, VertexIndex v) const {
     const Vec3 normal = sides_.normal(), &a = mesh_.point(u), &b = mesh_.point(v);
     const double ha = dot(normal, a - sides_.origin()), hb = dot(normal, b - sides_.origin());
@@ -179,8 +179,8 @@ class Tracer {
   }
 
  private:
-  /// An edge whose left side has not been examined yet, a cell that contains the edge (no_cell if unknown) and the
-  /// corner of the face on its right (no_vertex if the edge is on the border).
+  /// A directed edge in the facet whose left side has not been searched yet, a cell that has the edge (no_cell if
+  /// unknown), and the corner of the mesh face on its right (no_vertex if the edge is on the facet's border).
   struct FrontEdge {
     DirectedEdge edge;
     CellIndex cell;

@@ -18,21 +18,21 @@ namespace geomesh::recover {
 
 struct PiercingEdge {
   VertexIndex below = no_vertex, above = no_vertex;
-  /// A cell that contained the edge when it was found, because stars of needles are too large to be searched.
+  /// A cell that had the edge when it was found. Later searches start there, because stars of needles are large.
   CellIndex cell = no_cell;
 };
 
 struct FacetTrace {
   enum class Status {
-    complete,  ///< the mesh faces that were found cover the subfacet
-    pierced,   ///< mesh edges pierce the subfacet
+    complete,  ///< mesh faces cover the subfacet completely
+    pierced,   ///< mesh edges pierce the subfacet, so it is not in the mesh
     touched,   ///< the vertex `culprit` lies in the subfacet, but the model does not say so
-    unclear,   ///< the signs around an edge contradict each other, which only rounding to a few ulps can cause
+    unclear,   ///< the orientations around a mesh edge contradict each other, which only rounding by a few ulps causes
   };
   Status status = Status::complete;
   std::vector<Triangle> faces;         ///< mesh faces in the subfacet, in its orientation
   std::vector<CellIndex> cells;        ///< for each face in `faces`, a cell that has it
-  std::vector<PiercingEdge> piercing;  ///< piercing edges in the order in which they were found, each once
+  std::vector<PiercingEdge> piercing;  ///< mesh edges that pierce the subfacet, each once, in the order of finding
   VertexIndex culprit = no_vertex;
 };
 
@@ -48,9 +48,9 @@ class FacetSides {
     members_.insert(std::lower_bound(members_.begin(), members_.end(), v), v);
     find_whether_exact();
   }
-  /// Returns whether all members lie exactly in the plane, so that signs determine the left side of an edge.
+  /// Returns whether all of the facet's vertices are exactly in its plane, so that signs determine the left of an edge.
   bool is_exact() const { return is_exact_; }
-  /// Returns whether v lies left of the line p->q, seen from above the facet that has all three; only if is_exact().
+  /// Returns whether v lies left of the line p->q in the plane of the facet, as seen from above; only if is_exact().
   bool is_left(VertexIndex p, VertexIndex q, VertexIndex v) const {
     const Vec3 n = normal();
     std::size_t axis = 0;

@@ -25,10 +25,10 @@ struct Recovery {
   Constraints& constraints;
   RecoveryStatistics& statistics;
   const RunContext& context;
-  /// Row in plc.points for each vertex (no_vertex for added ones).
+  /// Row in plc.points of each mesh vertex; no_vertex for vertices that are not in the input.
   const std::vector<VertexIndex>& input_vertex;
   const PiecewiseLinearComplex& plc;
-  const ModelNames& names;  ///< the caller's indices and frame, for texts of messages
+  const ModelNames& names;  ///< indices and coordinate frame of the caller's model, for the texts of messages
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
   double expected_points_per_vertex =
@@ -43,12 +43,12 @@ struct Recovery {
   bool has_exact_points = false;
   unsigned attempt = 0;  ///< number of the attempt; each attempt works in another order and puts points elsewhere
 
-  std::unordered_set<std::uint64_t> refuted_regions{};  ///< hash keys of cell regions that cannot be filled anew
+  std::unordered_set<std::uint64_t> refuted_regions{};  ///< hash keys of regions for which no filling was found
 
-  /// The reason why this attempt cannot continue. If a stage sets it, that stage and all later ones return at once.
+  /// The reason why this attempt at recovery cannot go on. If a stage sets it, it and all later stages return at once.
   std::optional<Error> dead_end{};
   bool has_ended() const { return dead_end.has_value(); }
-  /// Ends the attempt for this reason, unless it has already ended for another one.
+  /// Ends this attempt at recovery for the given reason, unless it has already ended for another one.
   void end(Error why) {
     if (!dead_end) dead_end = std::move(why);
   }
@@ -62,7 +62,7 @@ struct Recovery {
 };
 
 /// Makes every live subsegment an edge of the mesh: first by flips (segments_by_flips.cpp), then by points on segments
-/// (segments_by_points.cpp). Ends the attempt if a vertex lies on a segment or two segments cross.
+/// (segments_by_points.cpp). Ends this attempt at recovery if a vertex lies on a segment or two segments cross.
 void recover_segments(Recovery& recovery);
 
 /// Tries to make a-b an edge by flips alone. `work_left` is the number of edges and faces that may be tried, and is
@@ -70,7 +70,7 @@ void recover_segments(Recovery& recovery);
 bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left);
 
 /// Makes every live subfacet a locked face of the mesh; all subsegments are present before and after. Flips come first,
-/// then points where mesh edges pierce the facet. Ends the attempt if a segment or a vertex pierces a facet.
+/// then points where mesh edges pierce the facet. Ends this attempt if an input segment or vertex pierces a facet.
 void recover_facets(Recovery& recovery);
 
 /// Whether Steiner points may remain on segments and facets at the end.
@@ -86,13 +86,13 @@ enum class InnerEffort { star, region };
 /// Removes Steiner points, or moves them from segments and facets into the regions, if the mesh allows it.
 void remove_added_points(Recovery& recovery, BoundaryPoints boundary, InnerEffort effort_at_last = InnerEffort::region);
 
-/// Ends the attempt if an added point is left on a segment or facet (preserve_boundary).
+/// Ends this attempt at recovery if an added point is left on a segment or facet (preserve_boundary).
 void require_untouched_boundary(Recovery& recovery);
 
 /// The cells that are filled anew when an added point is removed.
 enum class RefilledCells {
-  star,               ///< the point's star, and cells behind faces that are not visible from its new place
-  region_about_star,  ///< the point's star, and a region of cells around the star
+  star,               ///< the removed point's star, and cells behind faces that its new place does not see
+  region_about_star,  ///< the removed point's star, and a region of cells around it
 };
 
 /// Removes one added point from its segment or facet (boundary_points_inward.cpp). Returns whether it did.

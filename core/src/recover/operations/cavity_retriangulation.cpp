@@ -10,7 +10,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns the same key for both directions of an edge.
+/// Returns the same hash key for the edges a-b and b-a.
 std::uint64_t edge_key(VertexIndex a, VertexIndex b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
 }  // namespace
@@ -29,7 +29,7 @@ Cavity::Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexInd
     }
 }
 
-/// Returns whether the face has the vertex that is to be removed from the mesh.
+/// Returns whether a face of the cavity has the vertex that is to be removed from the mesh.
 bool Cavity::is_of_dropped(FaceRef face) const {
   const TetMesh& cells = recovery_.mesh.cells();
   return dropped_ != no_vertex && cells.vertex(face.cell(), face.face()) != dropped_ &&

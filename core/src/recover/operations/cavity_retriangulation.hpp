@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Recovers constraints without adding points: a cavity is emptied and filled anew, with the constraint as a sheet of
-/// triangles inside it (the cavities of Shewchuk 2002 and of Si and Gaertner 2011, filled by search instead of by gift
+/// Recovers constraints without adding points: a cavity is emptied and filled anew, with the constraint as triangles
+/// inside it (the cavities of Shewchuk 2002 and of Si and Gaertner 2011, filled by search instead of by gift
 /// wrapping, because the mesh is not Delaunay).
 #pragma once
 
@@ -19,12 +19,12 @@ struct CavityEffort {
 /// Cells to be replaced. They surround no subsegment, locked face or vertex, except a vertex that is to be removed.
 class Cavity {
  public:
-  /// `cells` has no duplicates. `dropped` is a vertex to be removed, or no_vertex. Faces with this vertex are not part
-  /// of the boundary, so the caller must close the gaps by triangles (add_sheet). `is_valid()`: whether the inside may
-  /// be emptied. O(n log n) for n cells.
+  /// `cells`, without duplicates, are to be replaced. `dropped` is one of their vertices, to be removed from the mesh,
+  /// or no_vertex. Faces with this vertex are not part of the cavity's boundary, so the caller must close the gaps by
+  /// triangles (add_sheet). `is_valid()`: whether the cavity may be emptied. O(n log n) for n cells.
   Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped = no_vertex);
 
-  /// Adds a triangle that must be a face of every filling, with a cell on the side from which it is counter-clockwise.
+  /// Adds a triangle in the cavity that must be a face of a new cell, on the side where it is counter-clockwise.
   void add_sheet(const Triangle& t) { boundary_.push_back({t, {}}); }
   /// Sets the cells, in ascending order, into which the cavity must not grow.
   void forbid(std::vector<CellIndex> cells) { forbidden_ = std::move(cells); }
@@ -33,7 +33,7 @@ class Cavity {
   std::vector<Triangle> boundary() const;
   const std::vector<CellIndex>& cells() const { return cells_; }
   bool has_edge(VertexIndex a, VertexIndex b) const;
-  /// Returns the vertices connected with v by an edge of the boundary, sorted.
+  /// Returns the vertices connected with v by an edge of the cavity's boundary, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v) const;
 
   /// Returns cells that connect all boundary faces of the cavity with y, a point that no cell has yet. The cavity,
@@ -43,8 +43,8 @@ class Cavity {
 
  private:
   struct BoundaryFace {
-    Triangle triangle;  ///< corners, counter-clockwise as seen from inside the cavity
-    FaceRef inner;      ///< this face in its cell inside the cavity; invalid for a triangle added as a constraint
+    Triangle triangle;  ///< corners of a face of the cavity's boundary, counter-clockwise as seen from inside
+    FaceRef inner;      ///< the boundary face in its cell in the cavity; invalid for a triangle added by add_sheet()
   };
 
   bool may_grow_over(const BoundaryFace& side) const;

@@ -68,8 +68,8 @@ bool EdgeRemover::replace_ring(const EdgeRing& ring, VertexIndex ear) {
 bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth) {
   const std::size_t n = ring.ring.size();
   for (std::size_t i = 0; i < n; ++i) {
-    // The ring of vertices around p-q loses v if edge u-w pierces triangle p, q, v. If u-w passes p-v or q-v on the
-    // outside, that edge is removed.
+    // u, v and w follow each other in the ring of vertices around edge p-q. A 2-3 flip takes v out of the ring if its
+    // new edge u-w pierces triangle p, q, v. If u-w passes p-v or q-v on the outside, removing that edge does.
     const VertexIndex u = ring.ring[(i + n - 1) % n], v = ring.ring[i], w = ring.ring[(i + 1) % n];
     const bool beside_p = mesh_.orient(u, w, v, ring.p) != Sign::positive;
     const bool beside_q = mesh_.orient(u, w, ring.q, v) != Sign::positive;

@@ -49,7 +49,7 @@ class EdgeRemover {
   std::size_t* work_left_;
   const EdgeRule* rule_ = nullptr;
   unsigned budget_ = 0;
-  std::vector<EdgeRing> rings_;  ///< cells and vertices around the edge to be removed, by depth of recursion
+  std::vector<EdgeRing> rings_;  ///< cells and vertices around the edge that is removed, by depth of recursion
   std::vector<Tetrahedron> filling_;
 };
 

@@ -18,8 +18,8 @@ exact::LongExpansion crossing_parameter(const ConstrainedMesh& mesh, VertexIndex
 ExactPlace place_on_line(const ConstrainedMesh& mesh, VertexIndex a, VertexIndex b, const exact::LongExpansion& t,
                          double error);
 
-/// Returns the place at which the line through below and above meets the plane of three vertices, up to `error`. It
-/// lies exactly in the plane.
+/// Returns the place at which the line through the vertices `below` and `above` meets the plane of three others, up to
+/// `error`. The place lies exactly in that plane.
 ExactPlace place_in_plane(const ConstrainedMesh& mesh, const Triangle& plane, VertexIndex below, VertexIndex above,
                           double error);
 

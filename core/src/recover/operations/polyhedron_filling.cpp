@@ -19,7 +19,7 @@ std::uint32_t key_of(LocalTriangle t) {
   const bool odd = SideMasks::sort(t);
   return static_cast<std::uint32_t>(2 * SideMasks::row_of(t[0], t[1], t[2]) + (odd ? 1 : 0));
 }
-/// Returns the three faces of the cell (t, v) other than t, as seen from inside the cell.
+/// Returns the faces other than t of the tetrahedron with face t and opposite vertex v, as seen from its inside.
 std::array<LocalTriangle, 3> side_faces(const LocalTriangle& t, LocalVertex v) {
   return {LocalTriangle{t[0], v, t[1]}, LocalTriangle{t[1], v, t[2]}, LocalTriangle{t[2], v, t[0]}};
 }
@@ -39,8 +39,8 @@ class Corners {
   }
   SideMasks::Masks sides(const LocalTriangle& t) { return sides_.sides(t); }
 
-  /// Sorts the candidates by the centre of the sphere through face t and the candidate: the nearer the centre, the
-  /// emptier the sphere. Returns their number.
+  /// Sorts the candidates for the fourth vertex of a tetrahedron on face t by the height of its circumcentre over t:
+  /// the lower the centre, the emptier the sphere. Returns the number of candidates.
   std::size_t sort_by_sphere(const LocalTriangle& t, VertexMask candidates,
                              std::array<LocalVertex, SideMasks::max_vertices>& order) const {
     const Vec3 &a = point(t[0]), u = point(t[1]) - a, w = point(t[2]) - a, n = cross(u, w);
@@ -58,13 +58,13 @@ class Corners {
     return count;
   }
 
-  /// Returns whether the tetrahedron with the face t and the three other faces `side` contains another vertex.
+  /// Returns whether a tetrahedron contains a vertex besides its own. `t` is one of its faces, `side` has the others.
   bool holds_vertex(const LocalTriangle& t, const std::array<LocalTriangle, 3>& side) {
     return ~(sides_.below(t) | sides_.below(side[0]) | sides_.below(side[1]) | sides_.below(side[2]) | mask_of(t) |
              mask_of(side[0])) &
            all();
   }
-  /// Returns whether the tetrahedron of triangle t and vertex v, with its three other faces `side`, crosses triangle h.
+  /// Returns whether triangle h crosses the tetrahedron of triangle t and vertex v; `side` has its three other faces.
   bool crosses(const LocalTriangle& t, LocalVertex v, const std::array<LocalTriangle, 3>& side,
                const LocalTriangle& h) {
     for (LocalVertex f : t)
@@ -93,17 +93,17 @@ class Corners {
   SideMasks sides_;
 };
 
-/// A face that no cell covers yet, as seen from the side to be filled.
+/// A face of the part of a polyhedron that is not yet filled with cells, as seen from inside that part.
 struct OpenFace {
   LocalTriangle v{};
   std::uint32_t key = 0;
-  SideMasks::Masks sides{};   ///< sets of the vertices above and below the face's plane
-  VertexMask candidates = 0;  ///< set of the vertices that may form a tetrahedron with the face
+  SideMasks::Masks sides{};   ///< masks of the vertices above and below the plane of the face
+  VertexMask candidates = 0;  ///< mask of the vertices that may form a tetrahedron with the face
   int n_candidates = 0;
-  bool is_filtered = false;  ///< whether `candidates` are those that cross no open face
+  bool is_filtered = false;  ///< whether candidates whose tetrahedron would cross an unfilled face were removed
 };
 
-/// For each triangle of vertices, how often it is an open face; records the changes so that they can be undone.
+/// Counts for each triangle how often it bounds the unfilled part of a polyhedron; records changes for undoing.
 class OpenCounts {
  public:
   explicit OpenCounts(std::size_t n_keys) : n_(n_keys, 0) {}
@@ -131,7 +131,7 @@ class OpenCounts {
   std::vector<Change> changes_;
 };
 
-/// Searches by backtracking for cells that fill a polyhedron. The face with the fewest possible vertices comes first.
+/// Fills a polyhedron with tetrahedra by backtracking, first at the face with the fewest possible fourth vertices.
 class Filler {
  public:
   Filler(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary,
@@ -181,7 +181,7 @@ class Filler {
     return false;
   }
 
-  /// Returns the open face that the fewest vertices can complete to a tetrahedron, among a few that are examined.
+  /// Returns, among a few faces of the unfilled part, the one that the fewest vertices complete to a tetrahedron.
   std::size_t hardest_face(Front& front) {
     for (OpenFace& f : front) f.is_filtered = false;
     std::size_t best = 0;
@@ -199,7 +199,7 @@ class Filler {
         filtered = i;
     return filtered;
   }
-  /// Removes the vertices that cannot form a cell with a face because the cell would cross open faces.
+  /// Removes from a face's candidates the vertices whose tetrahedron with the face would cross other unfilled faces.
   void filter(const Front& front, OpenFace& face) {
     for (VertexMask left = face.candidates; left != 0; left &= left - 1) {
       const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
@@ -264,7 +264,7 @@ class Filler {
     }
     cells_.push_back({t[0], t[1], t[2], v});
   }
-  /// Removes the cell added last, and restores the counts of open faces from before.
+  /// Undoes the last step of the search: removes the tetrahedron it added, and restores the counts of open faces.
   void take_back(std::size_t mark) {
     open_.take_back(mark);
     cells_.pop_back();
@@ -273,8 +273,8 @@ class Filler {
   const Constraints& constraints_;
   FillingLimits limits_;
   Corners corners_;
-  std::vector<Front> levels_;  ///< the open faces at each depth of the search
-  OpenCounts open_;            ///< counts of open faces at the current depth of the search
+  std::vector<Front> levels_;  ///< faces of the unfilled part of the polyhedron, by depth of the search
+  OpenCounts open_;            ///< how often each triangle bounds the unfilled part at the current depth of the search
   std::vector<std::array<LocalVertex, 4>> cells_;
   std::size_t n_nodes_ = 0;
 };

@@ -16,7 +16,7 @@
 
 namespace geomesh::recover {
 
-/// Number of a vertex among those of one polyhedron, below 64.
+/// Index of a vertex among the vertices of one polyhedron, below 64.
 using LocalVertex = std::uint8_t;
 using LocalTriangle = std::array<LocalVertex, 3>;
 using VertexMask = std::uint64_t;
@@ -36,13 +36,12 @@ class LocalPlaces {
     }
     if (vertices.empty()) return;
     const ExactPlaces::OffsetError error = mesh.offset_error(vertices[0], vertices);
-    // The error bound holds for vectors from the first vertex. Vectors between other vertices are at most twice as
-    // long, and products of two of them four times as large.
+    // The error bound of determinants is for vectors from the first vertex. Vectors between other vertices are at most
+    // twice as long, and products of two of them four times as large.
     error_bound_ = {error.widening, 4 * error.slack};
   }
 
   std::size_t size() const { return near_.size(); }
-  /// Computes the vectors from one vertex to the others.
   struct From {
     const Vec3 *near, *rest;
     Vec3 of_near, of_rest;
@@ -55,7 +54,7 @@ class LocalPlaces {
     double operator()(const filter::Estimate& estimate) const { return widening * estimate.error + slack; }
   };
   ErrorBound error_bound() const { return error_bound_; }
-  /// Returns how many tetrahedra of this triangle and another vertex have a vertex whose coordinates are not doubles.
+  /// Returns how many tetrahedra of one triangle and another vertex have a vertex whose coordinates are not doubles.
   std::size_t n_exact_about(VertexMask triangle) const {
     return (triangle & exact_) != 0 ? size() - 3 : static_cast<std::size_t>(std::popcount(exact_));
   }
@@ -92,8 +91,8 @@ class SideMasks {
   SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
       : mesh_(mesh), vertices_(vertices), places_(mesh, vertices), row_(n_triples(vertices.size()), 0) {}
 
-  /// Decides all triples, for callers that need most of them: O(n^4 / 24) determinants instead of O(n^4 / 6), with
-  /// common parts computed outside the loops.
+  /// Decides the sides of all planes of three vertices, for callers that need most: O(n^4 / 24) determinants instead of
+  /// O(n^4 / 6), with common parts computed outside the loops.
   void decide_all() {
     const std::size_t n = vertices_.size();
     known_.assign(n_triples(n), {0, 0});
@@ -107,11 +106,11 @@ class SideMasks {
     }
   }
 
-  /// @name Vertices above and below the plane of three vertices; decide_all() must have been called
+  /// @name Masks of the vertices above and below a plane of three vertices; decide_all() must have been called
   /// @{
   const Masks& of_row(std::size_t row) const { return known_[row]; }
   const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
-  /// Returns the vertices above and below the plane of (i, j, k), for i < j and any other k.
+  /// Returns masks of the vertices above and below the plane of vertices i, j and k, oriented in this order; i < j.
   Masks of_edge(LocalVertex i, LocalVertex j, LocalVertex k) const {
     if (k < i) return of_sorted(k, i, j);
     if (k > j) return of_sorted(i, j, k);
@@ -194,7 +193,7 @@ class SideMasks {
       if (s != Sign::zero) put(i, j, k, l, s);
     }
   }
-  /// Stores the orientation of the tetrahedron (i, j, k, l) for each of its faces and the opposite vertex.
+  /// Stores on which side of each face of the tetrahedron (i, j, k, l) the opposite vertex lies. `sign`: orientation.
   void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, Sign sign) {
     const auto put_side = [&](std::size_t row, std::size_t v, Sign side) {
       (side == Sign::positive ? known_[row].first : known_[row].second) |= bit(static_cast<LocalVertex>(v));
@@ -208,9 +207,9 @@ class SideMasks {
   const ConstrainedMesh& mesh_;
   const std::vector<VertexIndex>& vertices_;
   const LocalPlaces places_;
-  std::vector<std::uint32_t> row_;  ///< for each triple of vertices, its row in known_ plus 1; 0 if it is undecided
+  std::vector<std::uint32_t> row_;  ///< by triple of vertices: 1 + the row of its masks in known_; 0 if not computed
   std::vector<Masks> known_;
-  std::vector<Vec3> offsets_;  ///< vectors from one vertex to the others
+  std::vector<Vec3> offsets_;  ///< vectors from one vertex of the polyhedron to the others
 };
 
 }  // namespace geomesh::recover

@@ -115,7 +115,7 @@ bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constra
   for (std::size_t i = cells.size(); i-- > about.size();)
     if (spoils_star(mesh, cavity, cells[i], x)) {
       cavity.erase(i);
-      i = cells.size();  // x may not see the new border faces: test all cells again
+      i = cells.size();  // removing a cell uncovers cavity faces that x may not see: test all cells again
     }
   CellIndex unused = no_cell;
   if (!stellate(mesh, cavity, x, star, unused) || !keeps_constraints(mesh, constraints, cells, star, no_index))

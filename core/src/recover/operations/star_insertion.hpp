@@ -12,9 +12,9 @@
 
 namespace geomesh::recover {
 
-/// Connects x (a point not yet in the mesh) with the boundary of the cavity that grows from `seeds`. The subsegment
-/// `split` may lie inside the cavity, but no other subsegment may; locked faces inside the seeds must be unlocked
-/// before. Returns false if nothing was changed.
+/// Connects x (a point not yet in the mesh) with the boundary of the cavity that grows from the cells `seeds`. The
+/// subsegment `split` may lie inside the cavity, but no other subsegment may; locked faces between the seeds must be
+/// unlocked before. Returns false if nothing was changed.
 bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, VertexIndex x,
                     std::span<const CellIndex> seeds, Index split = no_index);
 
@@ -30,7 +30,7 @@ CellIndex locate_vertex(ConstrainedMesh& mesh, VertexIndex v, CellIndex start);
 /// Returns the finite cells that contain v inside or on their boundary, given one of them.
 std::vector<CellIndex> cells_about_vertex(ConstrainedMesh& mesh, VertexIndex v, CellIndex cell);
 
-/// Returns the finite cells that contain p inside or on their boundary, given one of them.
+/// Returns the finite cells that contain point p inside or on their boundary; `cell` is one of them.
 std::vector<CellIndex> cells_about(ConstrainedMesh& mesh, const Vec3& p, CellIndex cell);
 
 }  // namespace geomesh::recover

@@ -10,7 +10,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// The unknowns of the linear program: a displacement and, last, the least height.
+/// The unknowns of the linear program: a displacement and, last, the least height over the planes.
 using Unknowns = std::array<double, 4>;
 
 constexpr double no_length = 1e-12;  ///< a unit vector whose projection is shorter than this counts as perpendicular
@@ -36,7 +36,7 @@ class ActiveSetWalk {
   }
 
  private:
-  /// Makes one step of the linear program, which increases the least height. Returns false at the optimum.
+  /// Makes one step of the linear program, which increases the least height over planes. Returns false at the optimum.
   bool step() {
     find_orthonormal_base();
     Unknowns way = upwards;
@@ -44,7 +44,7 @@ class ActiveSetWalk {
     if (dot(way, way) > no_length * no_length) return go(way);
     return drop_what_holds_back();
   }
-  /// Moves in the direction `way` to where another of the heights becomes the least one.
+  /// Moves the displacement in the direction `way` until the height over another plane becomes the least height.
   bool go(const Unknowns& way) {
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t blocking = heights_.size();
@@ -61,12 +61,12 @@ class ActiveSetWalk {
     active_.push_back(blocking);
     return true;
   }
-  /// Drops a constraint that keeps the least height from growing, found by the sign of its multiplier. Returns false at
-  /// the optimum, which has none.
+  /// Removes from the active constraints of the linear program one that keeps the least height from growing, found by
+  /// the sign of its multiplier. Returns false at the optimum, which has no such constraint.
   bool drop_what_holds_back() {
     std::vector<double> factors(active_.size());
     Unknowns rest = upwards;
-    // back substitution, because constraint k lies in the span of the first k + 1 base vectors
+    // back substitution, because active constraint k lies in the span of the first k + 1 base vectors
     for (std::size_t k = active_.size(); k-- > 0;) {
       const double across = dot(row_of(active_[k]), base_[k]);
       factors[k] = dot(rest, base_[k]) / across;
@@ -97,8 +97,8 @@ class ActiveSetWalk {
   std::span<const LinearHeight> heights_;
   unsigned n_directions_;
   Unknowns place_{};
-  std::vector<std::size_t> active_;  ///< active constraints: heights that equal the least height, linearly independent
-  std::vector<Unknowns> base_;       ///< orthonormal base of the active constraints' coefficients
+  std::vector<std::size_t> active_;  ///< active constraints of the linear program, linearly independent
+  std::vector<Unknowns> base_;       ///< orthonormal basis of the span of the active constraints' coefficients
 };
 
 }  // namespace

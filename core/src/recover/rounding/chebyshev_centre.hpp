@@ -21,7 +21,7 @@ struct LinearHeight {
 std::array<double, 3> chebyshev_centre(std::span<const LinearHeight> heights, unsigned n_directions,
                                        unsigned most_steps);
 
-/// Returns the least of several heights, each a linear function of the displacement, at this displacement.
+/// Returns the least of a point's heights over several planes, each a linear function of its displacement.
 double least_height(std::span<const LinearHeight> heights, const std::array<double, 3>& displacement);
 
 }  // namespace geomesh::recover

@@ -11,8 +11,8 @@
 
 namespace geomesh::recover {
 
-/// Returns the kernel of a star without ghosts whose cells are positive. The spacing of its lattice is an ulp of the
-/// star's largest coordinate along each axis. Returns nothing if a coordinate is zero everywhere. O(cells).
+/// Returns the kernel of the star of x, whose cells are positive and no ghosts. The spacing of its lattice along an
+/// axis is an ulp of the star's largest coordinate on the axis. Returns nothing if all of these are zero. O(cells).
 std::optional<WidePolyhedron> kernel_of_star(const ConstrainedMesh& mesh, const std::vector<CellIndex>& star,
                                              VertexIndex x);
 

@@ -19,7 +19,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// A direction in which an exact point may move, and the step for place_moved() that moves it by unit length.
+/// A direction in which a Steiner point with exact coordinates may move, and the step of place_moved() for unit length.
 struct Freedom {
   Vec3 direction, step;
 };
@@ -140,7 +140,7 @@ void make_room(Recovery& recovery, VertexIndex x) {
   }
 }
 
-/// Returns the exact vertices that will be part of the result, without those in no cell or outside the model.
+/// Returns the vertices with exact places that are part of the result: not those in no cell or outside the model.
 std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
   const ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> out;

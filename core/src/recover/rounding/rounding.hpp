@@ -12,8 +12,8 @@ namespace geomesh::recover {
 /// that no double near them can replace; they remain exact.
 std::vector<VertexIndex> round_exact_points(Recovery& recovery);
 
-/// Moves points of `left` inside regions to any doubles from which their whole stars are visible, however thin these
-/// are. Points without such a double remain in `left`, unchanged.
+/// Moves those points of `left` that are inside regions to any doubles from which all of their link is visible, however
+/// thin their stars are. Points without such a double remain in `left`, unchanged.
 void round_anywhere_in_stars(Recovery& recovery, std::vector<VertexIndex>& left);
 
 }  // namespace geomesh::recover

@@ -30,7 +30,7 @@ WidePoint sum(const WidePoint& a, const WidePoint& b) { return {a[0] + b[0], a[1
 
 /// QR decomposition: replaces a matrix of three columns by one with orthonormal columns; stores the triangular factor.
 struct Triangular {
-  std::array<Row, 3> at{};  ///< upper triangular factor: row j, column k
+  std::array<Row, 3> at{};  ///< upper triangular factor of a QR decomposition, by row and column
 
   explicit Triangular(std::vector<Row>& rows) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -47,7 +47,7 @@ struct Triangular {
       for (Row& r : rows) r[k] /= at[k][k];
     }
   }
-  /// Returns whether the first `n` columns of the matrix are independent, as far as doubles show.
+  /// Returns whether the first `n` columns of the decomposed matrix are independent, as far as doubles show.
   bool is_regular(std::size_t n = 3) const {
     for (std::size_t k = 0; k < n; ++k)
       if (!(at[k][k] > 0) || !std::isfinite(at[0][k] + at[1][k] + at[2][k])) return false;
@@ -127,7 +127,7 @@ class AnalyticCentre {
     frame_[1] = scaled(1 / r[1][1], sum(frame_[1], scaled(-r[0][1], frame_[0])));
     frame_[2] = scaled(1 / r[2][2], sum(frame_[2], sum(scaled(-r[0][2], frame_[0]), scaled(-r[1][2], frame_[1]))));
   }
-  /// Returns the multiple of `step` by which to move so that the product of the heights over all planes is greatest.
+  /// Returns the multiple of `step` at which the product of a point's heights over the polyhedron's planes is greatest.
   static double length_along(const std::vector<Row>& rows, const Row& step) {
     constexpr unsigned halvings = 40;
     constexpr double most = 0x1p20;
@@ -171,13 +171,13 @@ class ShapedLattice {
     for (std::size_t k = 0; k < 3; ++k) basis_[k][k] = 1;
   }
 
-  /// Reduces the basis (Lenstra, Lenstra and Lovasz 1982) and moves to a lattice point near the centre. Returns false
-  /// if numbers exceed the range of doubles.
+  /// Reduces the lattice basis (Lenstra, Lenstra and Lovasz 1982) and moves to a lattice point near the polyhedron's
+  /// centre. Returns false if numbers exceed the range of doubles.
   bool prepare() { return reduce() && go_near_centre(); }
 
-  /// Returns for each plane by how much one step along each basis vector changes the height over it.
+  /// Returns how much a step along each vector of the lattice basis changes the relative height over each plane.
   const std::vector<Row>& rows() const { return rows_; }
-  /// Returns the heights over all planes at the lattice point near the centre; they are positive inside the polyhedron.
+  /// Returns the heights of the lattice point near the centre over all planes, relative to those of the centre.
   std::vector<double> rows_near_centre() const {
     std::vector<double> out;
     const WidePoint y = place_of(near_);
@@ -187,10 +187,10 @@ class ShapedLattice {
     }
     return out;
   }
-  /// Returns the distance of the layers of lattice points that are parallel to the first two basis vectors.
+  /// Returns the distance between adjacent layers of lattice points that are parallel to the first two basis vectors.
   double third_height() const { return third_height_; }
 
-  /// Returns the point `steps` along the basis from the lattice point near the centre; the origin if that is too far.
+  /// Returns the lattice point that is `steps` basis vectors from the one near the centre; the origin if it is too far.
   Vec3 point(const Row& steps) const {
     Steps there = near_;
     for (std::size_t j = 0; j < 3; ++j)
@@ -221,7 +221,7 @@ class ShapedLattice {
         rows_[i][k] = dot(polyhedron_.planes[i].normal, step).hi / heights_[i];
     }
   }
-  /// Computes steps += factor * vector; returns false if a number becomes too large.
+  /// Adds factor * vector to the lattice coordinates `steps`; returns false if one of them becomes too large.
   static bool add(Steps& steps, double factor, const Steps& vector) {
     for (std::size_t i = 0; i < 3; ++i) {
       const double product = factor * static_cast<double>(vector[i]);
@@ -238,7 +238,7 @@ class ShapedLattice {
       find_rows();
       std::vector<Row> scratch = rows_;
       const Triangular r(scratch);
-      if (!r.is_regular(k)) return false;  // only the first k basis vectors, because unreduced ones may seem dependent
+      if (!r.is_regular(k)) return false;  // later basis vectors are not reduced yet and may seem linearly dependent
       third_height_ = r.at[2][2];
       if (k == 3) return true;
       bool changed = false;
@@ -302,7 +302,7 @@ struct Interval {
     if (slope == 0 && !(at > 0)) high = -std::numeric_limits<double>::infinity();
   }
   bool is_bounded() const { return std::isfinite(low) && std::isfinite(high) && low < high; }
-  /// Returns the integers in the interval from the middle outwards, at most the given number.
+  /// Returns the integers in this interval from its middle outwards, at most the given number of them.
   std::vector<double> integers(std::size_t most) const {
     std::vector<double> out;
     if (!is_bounded()) return out;
@@ -331,7 +331,7 @@ bool find_double_inside(const WidePolyhedron& polyhedron, const std::function<bo
   for (const double z : layers.integers(std::numeric_limits<std::size_t>::max())) {
     std::vector<double> at(n);
     for (std::size_t i = 0; i < n; ++i) at[i] = near[i] + z * slopes[i][2];
-    Interval lines;  // numbers of the lattice lines in this layer that meet the polyhedron
+    Interval lines;  // range of the indices of lattice lines in layer z that meet the polyhedron
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
         const double p = slopes[i][0], q = slopes[j][0];

@@ -27,8 +27,8 @@ struct WidePlane {
 
 /// A bounded polyhedron. The point `inside` is on the positive side of all planes. Places are relative to `origin`.
 struct WidePolyhedron {
-  Vec3 origin;   ///< point from which places are measured; a multiple of the spacing in each coordinate
-  Vec3 spacing;  ///< powers of two: multiples of them are doubles everywhere in the polyhedron
+  Vec3 origin;   ///< origin of coordinates in the polyhedron; a multiple of the lattice spacing on each axis
+  Vec3 spacing;  ///< lattice spacing by axis: powers of two whose multiples are doubles everywhere in the polyhedron
   std::vector<WidePlane> planes;
   WidePoint inside;
 };

@@ -12,7 +12,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Marks the vertices of hard segments and of hard facets, including facets around hard segments.
+/// Marks the vertices of segments and facets that were hard to recover, and of all facets around these segments.
 class HardVertices {
  public:
   HardVertices(const Recovery& recovery, const DeclaredModel& model)

@@ -37,7 +37,7 @@ class HardPartsFirst {
   std::uint8_t first_stage() const;
 
   std::vector<std::uint8_t>
-      stage_;  ///< how often each vertex has been part of a hard item; vertices with the highest numbers come first
+      stage_;  ///< how often each vertex was on an item that is hard to recover; the highest numbers are inserted first
 };
 
 }  // namespace geomesh::recover

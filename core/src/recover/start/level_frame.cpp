@@ -81,7 +81,7 @@ class Shear {
   std::array<double, 2> slopes_{};
 };
 
-/// Returns the axes by decreasing component of the normal along them, rounded to the step of slopes.
+/// Returns the axes by decreasing component, rounded to the step of slopes, of a plane's normal along them.
 std::array<std::size_t, 3> axes_along(const Vec3& normal, const Vec3& extents) {
   const double largest = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
   const auto nearness = [&](std::size_t axis) {

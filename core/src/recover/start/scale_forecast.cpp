@@ -29,7 +29,7 @@ bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
     const double squared = h.x * h.x + h.y * h.y;
     if (squared == 0) return false;
     const double os = h.x * h.limit / squared,
-                 ot = h.y * h.limit / squared;  // the point of the border line nearest to the origin
+                 ot = h.y * h.limit / squared;  // point of the half-plane's border line nearest to the origin
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     const auto cut = [&](double slope, double room) {
       if (slope > 0) high = std::min(high, room / slope);

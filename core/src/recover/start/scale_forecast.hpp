@@ -28,8 +28,8 @@ class ScaleForecast {
  private:
   struct Sample {
     Vec3 a, b;
-    std::vector<Vec3> about;  ///< points that are tested against spheres through a and b
-    double weight;            ///< number of subsegments that the sample represents
+    std::vector<Vec3> about;  ///< vertices that are tested against spheres through the subsegment's ends a and b
+    double weight;            ///< number of the model's subsegments for which this sampled one stands
   };
 
   static bool is_delaunay(const Sample& sample, const Vec3& scale);

@@ -147,7 +147,7 @@ class StartSearch {
     mesh.release(candidate.cells, points);
     return out;
   }
-  /// Returns the two axes along which segments extend least, the least first.
+  /// Returns the two axes along which the model's segments extend least, the least first.
   std::array<std::size_t, 2> axes_by_extent() const {
     Vec3 sum;
     for (const Subsegment& s : constraints_.subsegments)
@@ -193,7 +193,7 @@ void remember(const Candidate& candidate, Constraints& constraints) {
     constraints.subsegments[s].seen_in = candidate.subsegments[s];
 }
 
-/// Counts the facets that a start triangulation lacks. `candidate` and `points` are used meanwhile and restored.
+/// Counts the facets that a start triangulation lacks. Moves `candidate` and `points` into a mesh meanwhile, and back.
 MissingSubfacets count_missing_facets(Candidate& candidate, std::vector<Vec3>& points,
                                       const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
                                       const RunContext& context) {

@@ -18,7 +18,7 @@ struct StartTriangulation {
   DelaunayStatistics statistics;
   std::size_t missing_edges = 0;  ///< segments that are no edges of the unscaled Delaunay triangulation
   std::size_t missing_facets = 0;
-  std::size_t tetrahedra = 0;  ///< number of tetrahedra of the model's vertices alone
+  std::size_t tetrahedra = 0;  ///< number of tetrahedra that have vertices of the model only, not of the box
 };
 
 enum class StartFrame {

@@ -72,8 +72,8 @@ bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
                         after_link_flips(recovery, x, [&] { return take_point_off_boundary(recovery, x); }));
 }
 
-/// Tries to take all added points off segments and facets. Starts with the last point, which depends on those before
-/// it. Sets `changed` if any was taken off, and returns how many are left.
+/// Tries to remove all added points from segments and facets, the last one first, because it depends on earlier ones.
+/// Sets `changed` if any was removed, and returns how many are left.
 template <class TakeOff>
 std::size_t take_points_off_boundary(Recovery& recovery, bool& changed, const TakeOff& take_off) {
   std::size_t left = 0;

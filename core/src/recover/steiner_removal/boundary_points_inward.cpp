@@ -37,8 +37,8 @@ class SectorFilling {
         refilled_(refilled),
         grown_(star) {}
 
-  /// Fills one part of the star of x, between facets: without a point if possible, otherwise with a point moved into
-  /// it.
+  /// Fills a sector (a part between facets) of the star of x: without a point if possible, otherwise around a point
+  /// that is moved into the sector.
   bool fill(Sector& s) {
     Cavity cavity = cavity_of(s);
     const std::vector<Triangle> boundary = cavity.boundary();
@@ -61,7 +61,7 @@ class SectorFilling {
     out.forbid(grown_);
     return out;
   }
-  /// Fills a part of the star of x, together with cells around it, without a point.
+  /// Fills a sector (a part between facets) of the star of x, together with cells beyond the star, without a point.
   bool fill_by_region(Sector& s) {
     std::optional<Region> region =
         region_about(recovery_, s.cells, {&x_, 1}, recovery_budget.region_vertices.back(), grown_);
@@ -78,8 +78,8 @@ class SectorFilling {
     sort_unique(grown_);
     return true;
   }
-  /// Returns whether the filling has the segment as an edge. This is tested only for a segment without facets (a well),
-  /// because facets would ensure it.
+  /// Returns whether the new cells of the star of x have the segment of x as an edge. This is tested only for a segment
+  /// without facets (a well), because facets would ensure it.
   bool has_segment(const std::vector<Tetrahedron>& filling) const {
     if (around_.halves.empty() || !around_.fans.empty()) return true;
     return std::any_of(filling.begin(), filling.end(), [&](const Tetrahedron& t) {
@@ -111,7 +111,7 @@ class SectorFilling {
     return false;
   }
 
-  /// Moves the point `moved` to a place beside the point that is removed.
+  /// Places the vertex `moved` beside the vertex x that is removed, at the offset `step` from it.
   void move_beside(VertexIndex moved, const Vec3& step) {
     if (mesh_.is_exact(x_)) {
       mesh_.move_point(moved, place_beside(mesh_, x_, step));
@@ -126,7 +126,7 @@ class SectorFilling {
   VertexIndex x_;
   const StarFans& around_;
   RefilledCells refilled_;
-  std::vector<CellIndex> grown_;  ///< sorted cells: the star of x, and those added to its parts so far
+  std::vector<CellIndex> grown_;  ///< the star of x and the cells beyond it that are filled anew, sorted
 };
 
 /// Removes an added point from its facets or segment, and from the mesh.
@@ -155,8 +155,8 @@ class PointRemoval {
   }
 
  private:
-  /// Fills all parts of the star of x without x. A part for which that fails is divided by a triangle, as long as there
-  /// are at most `n_sheets` such triangles. Otherwise removes the points that were added inside and returns false.
+  /// Fills all sectors (parts between facets) of the star of x without x. Divides a sector for which that fails by a
+  /// triangle, up to `n_sheets` times. Otherwise removes the points that were added in sectors and returns false.
   bool fill_sectors(unsigned n_sheets) {
     std::vector<Sector> sectors = gather_sectors(mesh_, x_, around_, star_);
     SectorFilling filling(recovery_, x_, around_, refilled_, star_);
@@ -176,13 +176,13 @@ class PointRemoval {
     }
     return false;
   }
-  /// Returns whether the mesh already has an edge between the neighbours of x on its segment, and it does not bound a
-  /// part of a facet of zero width.
+  /// Returns whether the mesh already has an edge between the neighbours of x on its segment, and the edge does not
+  /// bound a part of a facet of zero width.
   bool has_foreign_chord() {
     if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;
     return std::none_of(around_.fans.begin(), around_.fans.end(), [](const Fan& f) { return f.is_thin(); });
   }
-  /// Returns whether a triangle that a facet would get already exists: in another facet, or in the rest of the facet.
+  /// Returns whether a new triangle of a facet without x already is a subfacet, of this facet or of another one.
   bool repeats_subfacet() const {
     return std::any_of(around_.fans.begin(), around_.fans.end(), [&](const Fan& f) {
       return std::any_of(f.triangles.begin(), f.triangles.end(),

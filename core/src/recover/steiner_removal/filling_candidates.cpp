@@ -64,7 +64,7 @@ void FillingCandidates::mark_required() {
   }
 }
 
-/// Returns the vertices b for which the line from a to b passes through the interior of t or its border.
+/// Returns the vertices b for which the line from a to b passes through triangle t or its border.
 VertexMask FillingCandidates::crossing(LocalVertex a, const LocalTriangle& t) {
   VertexMask above = 0, below = 0;
   for (unsigned i = 0; i < 3; ++i) {
@@ -75,7 +75,7 @@ VertexMask FillingCandidates::crossing(LocalVertex a, const LocalTriangle& t) {
   return ~(above & below);
 }
 
-/// Finds, as a mask for each vertex, the allowed edges, which cross no boundary triangle and no required edge.
+/// Finds the edges allowed in the region, as a mask for each vertex: they cross no boundary triangle or required edge.
 void FillingCandidates::find_allowed_edges() {
   for (LocalVertex a = 0; a < n_; ++a)
     for (LocalVertex b = 0; b < a; ++b) {
@@ -89,8 +89,8 @@ void FillingCandidates::find_allowed_edges() {
   for (const LocalTriangle& t : boundary_) forbid_edges_through(t);
 }
 
-/// Forbids each edge of t that crosses a required edge at the third vertex of t in the plane of t. Two edges cross if
-/// the ends of each are strictly on different sides of the other.
+/// Forbids each edge of triangle t that crosses, in the plane of t, a required edge at the third vertex of t. Two edges
+/// cross if the ends of each are strictly on different sides of the other.
 void FillingCandidates::forbid_edges_in_plane(const LocalTriangle& t) {
   const SideMasks::Masks& sides = sides_.of_sorted(t[0], t[1], t[2]);
   const VertexMask off = sides.first | sides.second, in_plane = all() & ~(off | mask_of(t));
@@ -123,7 +123,7 @@ void FillingCandidates::forbid_edges_through(const LocalTriangle& t) {
   }
 }
 
-/// Finds the triangles that can be faces of a filling: their edges are possible, and no required edge pierces them.
+/// Finds the possible faces of new cells in the region: all edges are allowed, and no required edge pierces the face.
 void FillingCandidates::find_allowed_faces() {
   for (LocalVertex c = 0; c < n_; ++c)
     for (VertexMask of_d = allowed_[c]; of_d != 0; of_d &= of_d - 1)
@@ -132,10 +132,10 @@ void FillingCandidates::find_allowed_faces() {
     for (VertexMask of_b = forced_[a] & beyond(a); of_b != 0; of_b &= of_b - 1) forbid_faces_about(a, lowest(of_b));
 }
 
-/// Removes the faces (c, d, e) through whose interior or border the edge a-b passes: their edges pass a-b on the same
-/// side, and a and b lie on different sides of the face. For each pair c, d all e are handled at once.
+/// Forbids the faces (c, d, e) whose interior or border edge a-b meets: their edges pass a-b on the same side, and a
+/// and b lie on different sides. For each pair of vertices c, d, bit masks decide all vertices e at once.
 void FillingCandidates::forbid_faces_about(LocalVertex a, LocalVertex b) {
-  std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // about[c]: vertices above and below plane (a, b, c)
+  std::array<SideMasks::Masks, SideMasks::max_vertices> about;
   for (LocalVertex c = 0; c < n_; ++c)
     if (c != a && c != b) about[c] = sides_.of_edge(a, b, c);
   for (LocalVertex c = 0; c < n_; ++c) {
@@ -169,7 +169,7 @@ void FillingCandidates::gather() {
     }
 }
 
-/// Collects the possible tetrahedra (a, b, c, d) with d > c.
+/// Collects the possible cells of the region with the vertices a, b, c and a greater one.
 void FillingCandidates::gather_above_face(LocalVertex a, LocalVertex b, LocalVertex c) {
   const SideMasks::Masks& abc = sides_.of_sorted(a, b, c);
   for (VertexMask of_d = thirds(a, b) & thirds(a, c) & thirds(b, c) & (abc.first | abc.second) & beyond(c); of_d != 0;
@@ -178,7 +178,7 @@ void FillingCandidates::gather_above_face(LocalVertex a, LocalVertex b, LocalVer
     Cell cell{{a, b, c, d},
               (abc.first & bit(d)) != 0,
               {face_row(b, c, d), face_row(a, c, d), face_row(a, b, d), face_row(a, b, c)}};
-    // A positive cell lies above its face (a, b, c). It lies above every second of its faces and below the others.
+    // A positive cell (a, b, c, d) lies above its faces (a, b, c) and (a, c, d), and below (a, b, d) and (b, c, d).
     for (std::uint32_t i = 0; i < 4; ++i)
       cell.sides[i] = 2 * cell.sides[i] + ((i % 2 == 1) == cell.is_positive ? 0 : 1);
     if (!holds_another(cell)) cells_.push_back(cell);
@@ -205,8 +205,8 @@ void FillingCandidates::list_by_side() {
     for (const std::uint32_t side : cells_[row].sides) rows_[end_[side]++] = row;
 }
 
-/// Removes tetrahedra that have no other one across one of their inner faces, then those that needed these, and so on.
-/// Then the lists are rebuilt. Returns false if a boundary face has no tetrahedron left.
+/// Removes possible tetrahedra that have no other one across one of their inner faces, then those that needed the
+/// removed ones, and so on. Rebuilds the lists of tetrahedra. Returns false if a boundary face has none left.
 bool FillingCandidates::prune() {
   std::vector<std::uint32_t> n_beside(is_required_.size()), emptied;
   std::vector<std::uint8_t> is_gone(cells_.size(), 0);

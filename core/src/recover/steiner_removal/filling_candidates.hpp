@@ -23,25 +23,25 @@ class FillingCandidates {
   struct Cell {
     std::array<LocalVertex, 4> vertices;  ///< increasing
     bool is_positive;                     ///< in that order
-    std::array<std::uint32_t, 4> sides;   ///< for each face of the cell, the number of its side where the cell is
+    std::array<std::uint32_t, 4> sides;   ///< by face of the cell: number of the face's side where the cell lies
     VertexMask mask() const { return bit(vertices[0]) | bit(vertices[1]) | bit(vertices[2]) | bit(vertices[3]); }
   };
 
   FillingCandidates(const ConstrainedMesh& mesh, const Constraints& constraints, const Region& region);
 
-  /// Finds all tetrahedra of which a filling can consist. Returns false if it is evident that there is no filling,
+  /// Finds all tetrahedra that may be cells of a filling of the region. Returns false if there evidently is no filling,
   /// because a boundary face has no such tetrahedron on its inner side. O(n^4) for n vertices.
   bool find();
 
-  /// Returns the tetrahedra of which a filling can consist, in lexicographic order of their vertices.
+  /// Returns the possible cells of fillings of the region, in lexicographic order of their vertices.
   const std::vector<Cell>& cells() const { return cells_; }
-  /// Returns the rows of the possible tetrahedra that lie on this side of a face.
+  /// Returns the rows in cells() of the possible tetrahedra on one side of a face; `side` is the number of that side.
   std::span<const std::uint32_t> beside(std::uint32_t side) const {
     return {rows_.data() + begin_[side], rows_.data() + end_[side]};
   }
   std::size_t n_faces() const { return is_required_.size() / 2; }
   bool is_boundary(std::size_t face) const { return is_required_[2 * face] || is_required_[2 * face + 1]; }
-  /// Returns whether a filling must have a cell on this side of a face, because the face is on the region's boundary.
+  /// Returns whether every filling of the region has a cell on this side of a face, which is on the region's boundary.
   bool is_required(std::uint32_t side) const { return is_required_[side] != 0; }
 
   LocalVertex local(VertexIndex v) const;
@@ -71,9 +71,9 @@ class FillingCandidates {
   std::size_t n_;
   SideMasks sides_;
   std::vector<LocalTriangle> boundary_;
-  std::vector<VertexMask> forced_;   ///< for each vertex, those with which every filling must connect it
-  std::vector<VertexMask> allowed_;  ///< for each vertex, those with which a filling may connect it
-  std::vector<VertexMask> thirds_;   ///< for each pair of vertices, those with which it may form a face
+  std::vector<VertexMask> forced_;   ///< by vertex of the region: vertices to which new cells must connect it
+  std::vector<VertexMask> allowed_;  ///< by vertex of the region: vertices to which new cells may connect it
+  std::vector<VertexMask> thirds_;   ///< by pair of the region's vertices: vertices with which it may form a face
   std::vector<std::uint8_t> is_required_;
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> rows_, begin_, end_;  ///< cells by side

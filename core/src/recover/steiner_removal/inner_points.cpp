@@ -67,7 +67,7 @@ template <class Remove>
 void remove_each(Recovery& recovery, std::vector<VertexIndex>& points, const Remove& remove) {
   std::erase_if(points, [&](VertexIndex x) {
     recovery.context.check_cancelled();
-    return !recovery.mesh.in_mesh(x) || remove(x);  // removing another point may have removed x
+    return !recovery.mesh.in_mesh(x) || remove(x);  // the removal of another Steiner point may have removed x, too
   });
 }
 

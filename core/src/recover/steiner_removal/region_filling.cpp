@@ -27,7 +27,7 @@ std::vector<VertexIndex> vertices_of_cells(const TetMesh& cells, const std::vect
   return out;
 }
 
-/// Returns those of the (sorted) vertices that no tetrahedron has.
+/// Returns those of the vertices, which must be sorted, that belong to none of the tetrahedra.
 std::vector<VertexIndex> lost_vertices(const std::vector<VertexIndex>& vertices,
                                        const std::vector<Tetrahedron>& tetrahedra) {
   std::vector<VertexIndex> used, lost;
@@ -95,7 +95,7 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
 
 namespace {
 
-/// States the formula for the filling of a region and solves it. Its first variables are the candidates in their order.
+/// States the formula for the filling of a region and solves it. Its first variables are the possible cells, in order.
 class RegionFiller {
  public:
   RegionFiller(const Region& region, const FillingCandidates& candidates) : region_(region), candidates_(candidates) {}
@@ -109,10 +109,10 @@ class RegionFiller {
   }
 
  private:
-  /// Passes the formula for a filling of the region to the solver. Returns false if there is evidently no filling.
+  /// Passes the formula that describes fillings of the region to the SAT solver. Returns false if clearly none exists.
   bool state() {
     const std::size_t n_cells = candidates_.cells().size(),
-                      n_faces = std::min(2 * n_cells, candidates_.n_faces());  // faces have two candidates or more
+                      n_faces = std::min(2 * n_cells, candidates_.n_faces());  // a face has 2 or more possible cells
     solver_.reserve(n_cells + n_faces, 2 * n_faces, 4 * n_cells + 2 * n_faces);
     for (std::size_t i = 0; i < n_cells; ++i) solver_.new_variable();
     prefer_kept();
@@ -154,7 +154,7 @@ class RegionFiller {
     solver_.add_clause(clause_);
     solver_.add_choice(candidates_.beside(side));
   }
-  /// Adds clauses by which a triangle inside the region has one chosen tetrahedron on each side, or none on both.
+  /// Adds clauses by which a triangle inside the region is a face of one chosen tetrahedron on each side, or of none.
   void state_inner(std::uint32_t face) {
     const std::uint32_t is_face = solver_.new_variable();
     for (const std::uint32_t side : {2 * face, 2 * face + 1}) {

@@ -22,12 +22,12 @@ namespace geomesh::recover {
 /// with multiplicity); no cell is a ghost.
 struct Region {
   std::vector<CellIndex> cells;
-  std::vector<VertexIndex> vertices;  ///< vertices of the cells without those to be removed, sorted
+  std::vector<VertexIndex> vertices;  ///< vertices of `cells` without the points to be removed from the mesh, sorted
   /// Boundary triangles, counter-clockwise as seen from the region's inside. A locked face between two of its cells is
   /// listed twice, once in each orientation.
   std::vector<Triangle> boundary;
-  std::vector<std::array<VertexIndex, 2>> segments;  ///< subsegments of the cells, smaller vertex first, sorted
-  std::vector<Tetrahedron> kept;                     ///< cells without vertices that are to be removed
+  std::vector<std::array<VertexIndex, 2>> segments;  ///< subsegments in the region, smaller vertex first, sorted
+  std::vector<Tetrahedron> kept;                     ///< cells of the region none of whose vertices is to be removed
 };
 
 /// Returns `seeds` and cells around them, breadth first across faces that are not locked, up to `max_vertices` (at most
@@ -46,7 +46,7 @@ std::optional<std::vector<Tetrahedron>> fill_region(const ConstrainedMesh& mesh,
 /// Fills the region as fill_region does, but returns nothing at once if an earlier call found no filling for it.
 std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region);
 
-/// Exchanges cells for a filling. Vertices that the filling lacks are removed from the mesh. O(k log k) for k cells.
+/// Replaces cells by others that fill the same region, and removes vertices that these lack. O(k log k) for k cells.
 void refill(ConstrainedMesh& mesh, const std::vector<CellIndex>& cells, const std::vector<Tetrahedron>& filling);
 
 }  // namespace geomesh::recover

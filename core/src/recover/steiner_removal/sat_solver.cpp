@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t no_occurrence = 0xFFFFFFFFu, no_watch = 0xFFFFFFFFu;
 
-/// Returns term i, from 0, of the sequence 1 1 2 1 1 2 4 ... (Luby, Sinclair and Zuckerman 1993).
+/// Returns term i (from 0) of the restart sequence 1 1 2 1 1 2 4 ... of Luby, Sinclair and Zuckerman 1993.
 std::size_t luby(std::size_t i) {
   std::size_t size = 1, power = 0;
   while (size < i + 1) {
@@ -189,7 +189,7 @@ bool SatSolver::find_other_watch(std::uint32_t clause) {
   return false;
 }
 
-/// Collects in conflict_ the false literals that made `implied` true.
+/// Collects in conflict_ the false literals because of which the literal `implied` had to be true.
 void SatSolver::collect_reason(std::uint32_t reason, Literal implied) {
   conflict_.clear();
   if (reason & by_literal) {

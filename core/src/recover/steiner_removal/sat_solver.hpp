@@ -45,7 +45,7 @@ class SatSolver {
   /// Adds a variable. It is first tried as false (prefer_yes changes this). Variables are decided in the order of their
   /// creation until conflicts change the order.
   std::uint32_t new_variable();
-  /// Reserves memory for `n_clauses` clauses and as many at-most-one constraints, each kind with `n_literals` in all.
+  /// Reserves memory for `n_clauses` clauses of `n_literals` literals in all, and as much for at-most-one constraints.
   void reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals);
   void prefer_yes(std::uint32_t variable) { phase_[variable] = 1; }
   std::size_t n_variables() const { return values_.size(); }
@@ -58,13 +58,13 @@ class SatSolver {
 
   /// Decides whether the formula can be satisfied. Returns unknown after `max_conflicts` conflicts.
   Satisfiability solve(std::size_t max_conflicts);
-  /// Returns the value of a variable, after solve() has returned satisfiable.
+  /// Returns the value of a variable of the formula, after solve() has returned satisfiable.
   bool is_true(std::uint32_t variable) const { return values_[variable] == 1; }
 
  private:
   static constexpr std::uint32_t no_reason = 0xFFFFFFFFu;
   static constexpr std::uint32_t by_literal =
-      0x80000000u;  ///< bit of a stored reason: set if the reason is a literal instead of a clause
+      0x80000000u;  ///< bit of a stored reason for a literal: set if the reason is a literal instead of a clause
 
   /// Entry of the list of clauses that watch a literal. Clause c has the entries 2c and 2c + 1, one for each of its two
   /// watched literals.
@@ -75,7 +75,7 @@ class SatSolver {
   struct Clause {
     std::uint32_t begin, size;
   };
-  /// A constraint: at most one of these variables is true.
+  /// A constraint of the formula: at most one of its variables is true.
   struct Choice {
     std::uint32_t begin, end, flag;
   };
@@ -84,7 +84,7 @@ class SatSolver {
     std::uint32_t choice, next;
   };
 
-  /// Returns the value of a literal: -1 if unassigned, else 0 or 1.
+  /// Returns the value of a literal of the formula: -1 if unassigned, else 0 or 1.
   int value(Literal l) const {
     return values_[l.variable()] < 0 ? -1 : values_[l.variable()] ^ static_cast<int>(l.is_negated());
   }
@@ -119,13 +119,13 @@ class SatSolver {
   std::vector<std::uint32_t> chosen_;       ///< variables of all at-most-one constraints, one after the other
   std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
-  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< by variable: first constraint with it, or with it as flag
+  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< by variable: first occurrence in choices, and as flag
   std::vector<std::int8_t> values_, phase_;
   std::vector<std::uint32_t> level_of_, reason_;
   std::vector<Literal> trail_;
   std::vector<std::uint32_t> level_begin_;
   std::size_t propagated_ = 0;
-  std::vector<Literal> conflict_;  ///< literals of the violated clause, all false
+  std::vector<Literal> conflict_;  ///< literals of the clause that the assignment violates, all false
   bool contradictory_ = false;
 
   std::vector<double> activity_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Handles regions that surround an added point of a segment: at the border of a facet that ends inside the region, or
-/// at a well. No point moved off the segment sees both ends there. Points beside the segment become the apexes of
-/// triangles (sheets) that divide the region.
+/// Removes an added point from a segment that one region surrounds: the border of a facet that ends inside the region,
+/// or a well. No point moved off the segment sees both of its neighbours on the segment there. Points beside the
+/// segment become the apexes of triangles (sheets) that divide the region.
 #include <algorithm>
 #include <cmath>
 
@@ -30,8 +30,8 @@ Vec3 across_segment(Recovery& recovery, VertexIndex x, const std::vector<VertexI
   return {};
 }
 
-/// Inserts an inner point beside x, in direction d (of any length) across the segment of x, that is connected with both
-/// neighbours of x on the segment. Returns no_vertex if nothing has changed.
+/// Inserts a point beside x, which lies on a segment, in direction d (of any length) from x, connected by edges with
+/// both neighbours of x on the segment. Returns no_vertex if nothing has changed.
 VertexIndex insert_sheet_apex(Recovery& recovery, VertexIndex x, const std::array<VertexIndex, 2>& ends,
                               const Vec3& d) {
   ConstrainedMesh& mesh = recovery.mesh;

@@ -38,8 +38,8 @@ class EarClipping {
  private:
   struct Corner {
     VertexIndex vertex;
-    double shape = -1;  ///< quality of the ear: the triangle cut off at this corner; negative if inverted
-    VertexIndex found_inside = no_vertex;  ///< a polygon vertex that lies in the ear at this corner
+    double shape = -1;  ///< quality of the triangle that is cut off at this corner of a polygon; negative if inverted
+    VertexIndex found_inside = no_vertex;  ///< a polygon vertex inside the triangle that is cut off at the corner
   };
 
   Triangle ear(std::size_t k) const {
@@ -57,7 +57,7 @@ class EarClipping {
     corners_[k].found_inside = no_vertex;
   }
 
-  /// Returns the roundest ear that contains no other vertex; the number of corners if there is none.
+  /// Returns the corner with the roundest ear that contains no polygon vertex; the number of corners if there is none.
   std::size_t find_ear() {
     while (true) {
       std::size_t best = corners_.size();
@@ -133,7 +133,7 @@ class FanSearch {
   }
 
   bool gather_fans() {
-    std::map<Index, std::pair<VertexIndex, VertexIndex>> rim_edge;  // by subfacet: its directed edge opposite x
+    std::map<Index, std::pair<VertexIndex, VertexIndex>> rim_edge;  // per subfacet: directed edge opposite vertex x
     for (CellIndex c : star_)
       for (unsigned i = 0; i < 4; ++i) {
         if (!mesh_.is_locked(FaceRef(c, i)) || mesh_.cells().vertex(c, i) == x_) continue;

@@ -14,19 +14,19 @@ namespace geomesh::recover {
 /// The subfacets of one facet at an added point x, from one half of its segment to the other or all around x; or a
 /// sheet, which is a triangle that divides the star of x.
 struct Fan {
-  Index facet = no_index;  ///< the facet; no_index for a triangle that only divides the star
+  Index facet = no_index;  ///< the facet of the subfacets; no_index for an added triangle that divides the star of x
   std::vector<VertexIndex>
-      /// link vertices of x in the facet, in its orientation; the last is connected with the first if x is inside
+      /// vertices opposite x in the facet's triangles at x, in the facet's order; a closed ring if x is inside it
       rim;
   bool is_closed = false;
   std::vector<Index> subfacets;
-  std::vector<Triangle> triangles;  ///< triangles without x that replace the subfacets
-  /// Returns whether the facet has only one triangle at x, flat up to rounding, which is removed without replacement.
+  std::vector<Triangle> triangles;  ///< triangles without x that replace the facet's subfacets at x when x is removed
+  /// Returns whether the facet's only triangle at x has no width up to rounding, so that nothing needs to replace it.
   bool is_thin() const { return rim.size() < 3; }
 };
 
 struct StarFans {
-  std::vector<Index> halves;      ///< the two subsegments that end at x, or none if x is on no segment
+  std::vector<Index> halves;      ///< the two subsegments at the added point x, or none if x is on no segment
   std::vector<VertexIndex> ends;  ///< what they join
   std::vector<Fan> fans;
 

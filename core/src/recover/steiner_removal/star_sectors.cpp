@@ -11,7 +11,7 @@ namespace {
 
 using RimEdges = std::map<DirectedEdge, std::size_t>;
 
-/// Returns for each directed edge opposite x in a facet's triangle at x the number of that facet in around.fans.
+/// Returns for each directed edge opposite x in a facet's triangle at x the row of that facet in `around.fans`.
 RimEdges rim_edges(const StarFans& around) {
   RimEdges out;
   for (std::size_t f = 0; f < around.fans.size(); ++f) {
@@ -22,7 +22,7 @@ RimEdges rim_edges(const StarFans& around) {
   return out;
 }
 
-/// Adds to a sector the neighbours of its cell c that are in the star of x (`left`) and that no facet separates from c.
+/// Extends a sector of the star of x from its cell c to the neighbours in `left` that no facet separates from c.
 void extend(Sector& s, CellIndex c, VertexIndex x, const TetMesh& cells, std::vector<CellIndex>& left,
             const RimEdges& rims) {
   for (unsigned i = 0; i < 4; ++i) {

@@ -13,9 +13,9 @@ namespace geomesh::recover {
 
 struct Sector {
   std::vector<CellIndex> cells;
-  /// by number of the facet in StarFans::fans: 1 if the sector lies above the facet, 2 if below, 3 if on both sides
+  /// by row in StarFans::fans: 1 if the sector of a star lies above the facet, 2 if below, 3 if on both sides
   std::map<std::size_t, unsigned> fans;
-  Vec3 inward;  ///< sum of the unit normals of the facets around the sector, pointing into it
+  Vec3 inward;  ///< sum of the unit normals, pointing into the sector, of the facets that bound it
   std::vector<Tetrahedron> filling;
 
   bool wraps_round() const {
@@ -27,10 +27,10 @@ struct Sector {
 std::vector<Sector> gather_sectors(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                    const std::vector<CellIndex>& star);
 
-/// Returns new triangles for the facets around a sector, without x, counter-clockwise as seen from the sector.
+/// Returns the triangles without x of the facets that bound a sector of its star, counter-clockwise seen from there.
 std::vector<Triangle> sheets_of(const Sector& s, const StarFans& around);
 
-/// Returns vertices that form triangles with the segment's ends which divide a sector, the most even division first.
+/// Returns vertices that divide a sector of the star of x by a triangle with the segment's two ends, most evenly first.
 std::vector<VertexIndex> sheet_apexes(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                       const Sector& s);
 

@@ -90,7 +90,7 @@ std::size_t ConformingRefiner::label_cells() {
 }
 
 void ConformingRefiner::refine_segments() {
-  // The halves of split subsegments are appended to the list, and are visited later in this loop.
+  // The halves of a split subsegment are appended to constraints_.subsegments, so this loop visits them later.
   for (Index s = 0; s < constraints_.subsegments.size(); ++s) {
     recovery_.context.check_cancelled();
     const recover::Subsegment& sub = constraints_.subsegments[s];

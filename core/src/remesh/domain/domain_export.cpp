@@ -72,7 +72,7 @@ class Exporter {
   }
   void add_vertex(VertexIndex v) {
     if (row_[v] != no_vertex) return;
-    row_[v] = 0;  // marks v as listed; the number of v in the export is set later
+    row_[v] = 0;  // marks v as part of the export; its number there is set later
     vertices_.push_back(v);
   }
   VertexIndex input_of(VertexIndex v) const { return input_vertex(domain_, before_, v); }
@@ -115,7 +115,7 @@ class Exporter {
                      [](const auto& a, const auto& b) { return a.segment < b.segment; });
   }
 
-  /// Writes the cells, then the constrained faces in the order of the cells. All vertices must have been numbered.
+  /// Writes the cells to the export, then the constrained faces in the cells' order. All vertices must be numbered.
   void fill_cells() {
     constexpr std::size_t chunk = 16384;
     out_.tetrahedra.resize(cells_.size());

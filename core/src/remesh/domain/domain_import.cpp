@@ -50,8 +50,7 @@ std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   return pinched;
 }
 
-/// Returns whether the faces at v are connected across edges. If not, two surfaces, or a curve and a surface, meet in
-/// v.
+/// Returns whether the faces at v are connected across edges. If not, two surfaces or a surface and a curve meet.
 bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
   std::vector<Index> left(faces.begin() + 1, faces.end());
   std::vector<VertexIndex> reached(corners[faces[0]].begin(), corners[faces[0]].end());

@@ -40,7 +40,7 @@ struct DomainAttributes {
     FaceTag& own = tags[added.cell()][added.face()];
     if (other.mark.constrained())
       own = other.mark;
-    else if (own.constrained())  // a new face on the border of the region is part of a surface
+    else if (own.constrained())  // a new face on the border of the replaced region is on a surface
       tags[other.face.cell()][other.face.face()] = own.opposite();
   }
 
@@ -136,7 +136,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     return measure_.shape(points_[f[0]], points_[f[1]], points_[f[2]], apex);
   }
   double shape(const Tetrahedron& t) const { return shape({t[0], t[1], t[2]}, points_[t[3]]); }
-  /// Returns whether the tetrahedron (f, apex) is positively oriented, decided exactly.
+  /// Returns whether the tetrahedron of the face f and `apex` is positively oriented, decided exactly.
   bool sees(const Vec3& apex, const Triangle& f) const {
     return orient3d(points_[f[0]], points_[f[1]], points_[f[2]], apex) == Sign::positive;
   }
@@ -229,16 +229,16 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// @{
   void begin_trial();
   void keep_trial() { journal_.is_open = false; }
-  /// Restores the state at the start of the trial, including the order of free slots and the mesh's time. O(changes).
+  /// Restores the mesh at the start of the undoable trial, with its time and the order of its free slots. O(changes).
   void undo_trial();
-  /// Calls visit for each cell that was created, changed or removed since the start of the trial.
+  /// Calls visit for each cell that was created, changed or removed since the start of the undoable trial.
   template <class Visit>
   void for_each_trial_cell(const Visit& visit) const {
     for (const SavedCell& s : journal_.cells) visit(s.cell);
     for (CellIndex c = journal_.n_slots; c < n_slots(); ++c) visit(c);
   }
-  /// Calls visit for each live cell that the trial has created or changed. A cell of which only a neighbour was
-  /// replaced does not count as changed.
+  /// Calls visit for each live cell that the undoable trial has created or changed. A cell of which only a neighbour
+  /// was replaced does not count as changed.
   template <class Visit>
   void for_each_cell_of_trial(const Visit& visit) const {
     for (const SavedCell& s : journal_.cells)
@@ -246,13 +246,13 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     for (CellIndex c = journal_.n_slots; c < n_slots(); ++c)
       if (is_live(c)) visit(c);
   }
-  /// Calls visit for each vertex that the trial created, moved, changed or removed, and for vertices of changed cells.
+  /// Calls visit for each vertex that the undoable trial created, moved, changed or removed, or whose cell it changed.
   template <class Visit>
   void for_each_trial_vertex(const Visit& visit) const {
     for (const SavedVertex& s : journal_.vertices) visit(s.vertex);
     for (auto v = static_cast<VertexIndex>(journal_.n_vertices); v < n_vertices(); ++v) visit(v);
   }
-  /// Calls visit(shape) for each cell that the trial has changed or removed, with the shape measure before the trial.
+  /// Calls visit(shape) for each cell that the undoable trial changed or removed, with its shape before the trial.
   template <class Visit>
   void for_each_cell_before_trial(const Visit& visit) const {
     for (const SavedCell& s : journal_.cells)

@@ -10,8 +10,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Number of cell slots to reserve, with spare ones for blocks (mesh_blocks.hpp), so that no array is reallocated
-/// later.
+/// Number of cell slots to reserve, with some for blocks (mesh_blocks.hpp), so that no array is reallocated later.
 std::size_t with_spare_slots(std::size_t n) { return n + n / 32; }
 
 template <class Value>

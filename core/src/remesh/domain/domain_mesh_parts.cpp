@@ -38,7 +38,7 @@ std::vector<MeshPart> DomainMesh::take_apart() {
   return parts;
 }
 
-/// Fills a part with cells of one component. `row` must hold no_vertex everywhere, and does so again on return.
+/// Fills a part of the mesh with cells of one component. `row` holds no_vertex for every vertex before and after.
 void DomainMesh::fill_part(const std::vector<CellIndex>& cells, const std::vector<CellIndex>& row_of_cell,
                            std::vector<VertexIndex>& row, MeshPart& part) const {
   DomainMesh& mesh = part.mesh;

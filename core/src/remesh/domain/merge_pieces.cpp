@@ -120,7 +120,7 @@ class PlaneGroups {
            });
   }
 
-  /// Returns whether all facets of a group lie in their mean plane, in which each facet is weighted by its area.
+  /// Returns whether all facets of a group to be merged lie in their mean plane (facets weighted by area).
   bool are_in_mean_plane(const std::vector<Index>& members) const {
     Vec3 normal, middle;
     double weight = 0;
@@ -233,7 +233,7 @@ class Outlines {
     return !loops.empty();
   }
 
-  /// Puts the outer loop first; it is the only loop with a positive area about the normal.
+  /// Puts the outer loop of a facet first; it is the only loop with a positive area about the facet's normal.
   void put_outer_first(const Vec3& normal, std::vector<Loop>& loops) const {
     const auto area = [&](const Loop& loop) { return dot(loop_normal(plc_.points, loop), normal); };
     std::iter_swap(loops.begin(), std::max_element(loops.begin(), loops.end(),

@@ -12,7 +12,7 @@ namespace geomesh::remesh {
 
 struct MergedFacets {
   PiecewiseLinearComplex plc;       ///< the original points, segments and seeds, with merged facets
-  std::vector<Index> row_of_facet;  ///< facet of `plc` that contains each original facet
+  std::vector<Index> row_of_facet;  ///< for each original facet, the facet of `plc` that contains it
 };
 
 /// Merges triangles that are pieces of one input triangle (the same number in `parent`, which is no_index if there is
@@ -29,7 +29,7 @@ bool take_apart(const MergedFacets& merged, std::vector<Index> rows, std::vector
 /// Copies the complex without its facets and their contents.
 PiecewiseLinearComplex without_facets(const PiecewiseLinearComplex& plc);
 
-/// Calls visit(facet, a, b) for each edge of each loop, in the order of the facets.
+/// Calls visit(facet, a, b) for each edge (a, b) of each loop of each facet, in the order of the facets.
 template <class Visit>
 void for_each_side(const PiecewiseLinearComplex& plc, const Visit& visit) {
   for (Index f = 0; f < plc.n_facets(); ++f)

@@ -52,7 +52,7 @@ class MeshBlocks {
   /// Rules by which a mesh is divided into blocks.
   struct Rules {
     std::size_t vertices_a_block = 4096;  ///< least average number of vertices of a block; there are at most 64 blocks
-    /// Passes over fewer vertices are run by one thread, because blocks gain little in small meshes.
+    /// Passes over fewer vertices than this are run by one thread, because blocks gain little in small meshes.
     std::size_t least_inside = 50'000, least_on_surfaces = 60'000;
     bool is_checked = checks_by_default;  ///< whether to check that each face is written by its own block only
   };

@@ -51,7 +51,7 @@ enum class VertexKind : std::uint8_t {
 
 /// A class of edges on curves. Edges belong to one class if the same segments and the same patches meet at them.
 struct CurveClass {
-  std::vector<Index> segments;  ///< indices in plc.segments, in ascending order
+  std::vector<Index> segments;  ///< indices in plc.segments of the segments that contain these edges, ascending
   std::vector<Index> patches;   ///< patches of the faces at the edge, ascending; one entry for each face
   friend bool operator==(const CurveClass&, const CurveClass&) = default;
 };
@@ -61,7 +61,7 @@ struct NewCell {
   Index component = 0;
   /// Tags of constrained faces inside the region that is replaced; faces on its border keep their tags.
   std::array<FaceTag, 4> tags{};
-  double shape = unknown_shape;  ///< shape measure for this order of vertices, if known
+  double shape = unknown_shape;  ///< quality measure, computed from the vertices in this order; unknown_shape: not yet
   static constexpr double unknown_shape = -1;
 };
 

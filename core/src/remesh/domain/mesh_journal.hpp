@@ -43,11 +43,11 @@ struct SlotEvent {
   What what;
 };
 
-/// The recorded changes of a trial. Vertices and cells are saved before their first change. Slots and curve edges are
-/// saved at every change, in order.
+/// The recorded changes of an undoable trial. Vertices and cells are saved before their first change. Slots and curve
+/// edges are saved at every change, in order.
 struct MeshJournal {
   bool is_open = false;
-  std::size_t n_vertices = 0;  ///< number of vertices at the start of the trial
+  std::size_t n_vertices = 0;  ///< number of vertices at the start of the undoable trial
   CellIndex n_slots = 0;
   std::uint64_t clock = 0;
   std::vector<SavedVertex> vertices;
@@ -62,7 +62,7 @@ struct MeshJournal {
     vertex_marks_.begin();
     cell_marks_.begin();
   }
-  /// Returns whether the vertex is older than the trial and has not been saved in it. Marks such a vertex as saved.
+  /// Returns whether the vertex is older than the undoable trial and not yet saved in it, and marks it as saved.
   bool is_new_vertex(VertexIndex v) { return v < n_vertices && vertex_marks_.mark_first(v); }
   bool is_new_cell(CellIndex c) { return c < n_slots && cell_marks_.mark_first(c); }
   void note_freed(CellIndex c) { slots.push_back({c, SlotEvent::What::freed}); }

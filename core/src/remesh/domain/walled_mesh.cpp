@@ -84,7 +84,9 @@ void WalledMesh::close(unsigned threads) {
 }
 
 std::optional<CellIndex> WalledMesh::locate(const Vec3& p, CellIndex start) const {
-  unsigned turn = 0;  // The walk varies the order in which it tries the faces, so that it cannot cycle for long.
+  // The walk to the cell that contains p varies the order in which it tries the faces of a cell, so that it cannot
+  // cycle for long.
+  unsigned turn = 0;
   const auto end = mesh_.walk(
       p, start, 1000, [&] { return turn++ & 3u; }, [&](FaceRef f) { return is_wall(f.cell(), f.face()); });
   return end.end == DomainMesh::Walk::End::found ? std::optional(end.cell) : std::nullopt;
@@ -256,7 +258,8 @@ void WalledMesh::fill(VertexIndex v) {
     connect_by_sorting();
 }
 
-/// Returns whether `across` is a face of another cell of the star, at the same border edge as face j of `cell`.
+/// Returns whether `across` is the same face as face j of `cell` (the inserted vertex and an edge of the cavity's
+/// border), seen from another new cell.
 bool WalledMesh::is_across(const TetMesh::Cell& cell, unsigned j, FaceRef across) const {
   if (!across.valid() || across.cell() >= cells_.n_slots()) return false;
   const Tetrahedron& t = cells_.vertices(across.cell());

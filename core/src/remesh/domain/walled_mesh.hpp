@@ -45,7 +45,7 @@ class WalledMesh {
     flags = static_cast<std::uint8_t>((flags & ~(3u << note_shift)) | note << note_shift);
   }
 
-  /// Finds the cell that contains p by a walk from `start`. Returns nothing if the walk meets a wall or is too long.
+  /// Finds the cell that contains p by a walk from `start`. Returns nothing if it meets a constrained face or is long.
   std::optional<CellIndex> locate(const Vec3& p, CellIndex start) const;
   /// Inserts p, which is in the cell `home`, by a constrained Delaunay cavity (Bowyer 1981, Watson 1981), reduced until
   /// p sees its whole border. Returns nothing if a vertex of the cavity is nearer than `spacing`, or if a vertex or an
@@ -57,7 +57,7 @@ class WalledMesh {
  private:
   static constexpr std::uint8_t in_cavity = 1, ghost = 2, is_new = 4;
   static constexpr unsigned note_shift = 3;
-  static constexpr unsigned table_side = 64;  ///< cells of cavities with more border vertices are linked by sorting
+  static constexpr unsigned table_side = 64;  ///< number of border vertices above which cells are linked by sorting
 
   /// A ghost cell, the tag of the constrained face next to it, and the ghost on the other side of this face, if any.
   struct Ghost {
@@ -85,7 +85,7 @@ class WalledMesh {
   DomainMesh& mesh_;
   TetMesh& cells_;
   VertexIndex infinite_;
-  std::vector<PointRecord> records_;  ///< record of each vertex; its `place` is 1 if the vertex is on a curve
+  std::vector<PointRecord> records_;  ///< data of each vertex; the member `place` is 1 if the vertex is on a curve
   std::vector<Ghost> ghosts_;
 
   // Cells and border faces of the cavity: only the first n_cavity_ and n_border_ entries of these equally long lists.
@@ -94,7 +94,7 @@ class WalledMesh {
   std::size_t n_cavity_ = 0, n_border_ = 0;
   double nearest_ = 0;  ///< squared distance from the new point to the nearest vertex of the cavity
   std::vector<VertexIndex> numbered_;
-  std::vector<std::array<std::uint16_t, 3>> number_;  ///< for each border face, the numbers of its vertices
+  std::vector<std::array<std::uint16_t, 3>> number_;  ///< vertices of each border face, as numbers within the cavity
   std::array<FaceRef, std::size_t{table_side} * table_side> table_;
   EpochMarks marks_;
   std::vector<CellIndex> kept_;

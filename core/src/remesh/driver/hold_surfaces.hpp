@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// One run of refinement with surfaces kept within given tolerances, the places where that failed, and the tolerances
-/// of the next run.
+/// One run of refinement with surfaces kept within tolerances, where that failed, and the tolerances of the next run.
 #pragma once
 
 #include "geomesh/core/run_context.hpp"

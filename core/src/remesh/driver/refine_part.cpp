@@ -182,7 +182,7 @@ Constrained constrained_of(const DomainMesh& mesh) {
 /// Removes inner points that were made for larger sizes, because they obstruct points at the new sizes. Insertion then
 /// starts at the border, as in a mesh without inner points.
 void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
-  constexpr double far_larger = 4;  // sizes so large that almost every inner point is superfluous
+  constexpr double far_larger = 4;  // factor of the sizes with which almost every inner point is superfluous
   constexpr unsigned rounds = 2;
   const SizeField loose = tools.lengths.field().times(far_larger);
   remesh::Toolbox apart(tools.mesh, tools.guard, loose, tools.statistics);
@@ -233,7 +233,7 @@ RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const 
   };
   const auto improve = [&](remesh::Toolbox& tools) {
     const StageScope stage(context, "improve");
-    options.size_surfaces = true;  // without this option improvement would add no inner points
+    options.size_surfaces = true;  // if size_surfaces were false, improvement would add no inner points
     remesh::improve_mesh(tools, options, context);
   };
   const bool has_settled = std::ranges::any_of(part.is_settled, [](std::uint8_t s) { return s != 0; });

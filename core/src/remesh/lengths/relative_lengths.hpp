@@ -17,11 +17,11 @@ namespace geomesh::remesh {
 /// The target edge length at one place, or a multiple of it, with which vectors are compared.
 class LocalLength {
  public:
-  LocalLength() = default;  ///< length zero: no vector is shorter
+  LocalLength() = default;  ///< length zero, than which no vector is shorter
   explicit LocalLength(double length) : length_(length) {}
-  /// Returns whether a vector is shorter than this length.
+  /// Returns whether a vector is shorter than this target length.
   bool exceeds(const Vec3& d) const { return squared_length(d) < length_ * length_; }
-  /// Returns the length of a vector as a multiple of this length.
+  /// Returns the length of a vector as a multiple of this target length.
   double measure(const Vec3& d) const { return length(d) / length_; }
   friend LocalLength operator*(double factor, const LocalLength& l) { return LocalLength(factor * l.length_); }
   friend LocalLength least(const LocalLength& a, const LocalLength& b) {
@@ -72,12 +72,11 @@ class RelativeLengths {
   /// Returns whether the size field calls a function of the caller, which may be evaluated on one thread only.
   bool asks_caller() const { return field_.limits().background != nullptr; }
 
-  /// Evaluates all target sizes at vertices that are not yet stored, in parallel. Lengths may then be used
-  /// concurrently.
+  /// Evaluates and stores all missing target sizes at vertices, in parallel. Lengths may then be used concurrently.
   void evaluate(unsigned threads);
   /// Stores the target size at a vertex, evaluated elsewhere.
   void set_size(VertexIndex v, double size);
-  /// Drops the stored size at a vertex. Must be called for each vertex that is moved.
+  /// Drops the stored target size at a vertex. Must be called for each vertex that is moved.
   void forget(VertexIndex v) {
     if (v < sizes_.size()) sizes_[v] = -1;
   }

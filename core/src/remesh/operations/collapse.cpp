@@ -158,7 +158,7 @@ class Collapse {
   DomainMesh& mesh_;
   VertexIndex u_, v_ = no_vertex;
   std::vector<CellIndex>& cells_;  ///< cells around u that have been gathered so far
-  std::size_t n_grown_ = 0;        ///< number of cells in `cells_` whose neighbours have been gathered too
+  std::size_t n_grown_ = 0;        ///< number of entries of `cells_` whose neighbours around u have been gathered too
   StarCavity star_, target_;
 };
 

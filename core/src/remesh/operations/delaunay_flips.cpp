@@ -28,7 +28,7 @@ class DelaunayFlipper {
         ++n;
         for (const CellIndex created : tools_.work.created) push(created);
       }
-      if (n > 8 * mesh_.n_cells()) break;  // with rounding, flips could undo each other for ever
+      if (n > 8 * mesh_.n_cells()) break;  // limit for flips, which could undo each other for ever because of rounding
     }
     return n;
   }

@@ -11,7 +11,7 @@ namespace {
 
 /// The condition for the removal of an edge. By default, it must raise the worst shape.
 struct RemovalRule {
-  /// All new shapes must be above the worst shape before the removal, or above this value if it is less.
+  /// The shapes of all new cells must be above the worst before the removal of the edge, or above this value if less.
   double worst_before = 1;
   const MeanGoal* goal = nullptr;  ///< if not null, the removal must raise the mean shape, not the worst
   /// Whether to flip an edge of a surface to make the surface more nearly Delaunay; shapes may fall to `floor`.
@@ -120,7 +120,8 @@ class EdgeRemoval {
     const TetMesh& topology = mesh_.cells();
     const VertexIndex x = tools_.work.ring[0], y = tools_.work.ring[1];
     const FaceTag tag = mesh_.tag(c, topology.index_of(c, x)),
-                  other = mesh_.tag(c, topology.index_of(c, y));  // tags of the faces (a, b, y) and (a, b, x)
+                  other =
+                      mesh_.tag(c, topology.index_of(c, y));  // tags of the flat cell's faces (a, b, y) and (a, b, x)
     const unsigned opposite_a = topology.index_of(c, a_), opposite_b = topology.index_of(c, b_);
     if (!tag.constrained() || !other.constrained() || mesh_.tag(c, opposite_a).constrained() ||
         mesh_.tag(c, opposite_b).constrained())

@@ -22,7 +22,7 @@ class FaceRemoval {
 
   double shape_before(std::size_t k) const { return mesh_.shape_of(removed_[k]); }
 
-  /// Makes the flip if all new shapes are above `least`.
+  /// Makes the 2-3 flip if the shapes of all new cells are above `least`.
   bool attempt(double least) {
     if (!are_all_above(least)) return false;
     auto& added = tools_.work.added;
@@ -35,7 +35,7 @@ class FaceRemoval {
   }
 
  private:
-  /// Returns whether the three new cells are positive and their shapes above `needed`.
+  /// Returns whether the three new cells of the 2-3 flip are positive and their shapes above `needed`.
   bool are_all_above(double needed) const {
     const Vec3 &p = mesh_.point(top_), &q = mesh_.point(bottom_);
     if (needed >= 0 && !may_all_be_positive(p, q)) return false;
@@ -46,8 +46,8 @@ class FaceRemoval {
     return true;
   }
 
-  /// Returns whether the volumes of the three new cells are positive in floating point. This is computed first, because
-  /// most often the new edge misses the face and no shape is needed.
+  /// Returns whether the volumes of the three new cells of the 2-3 flip are positive in floating point. This is
+  /// computed first, because most often the new edge misses the face and no shape is needed.
   bool may_all_be_positive(const Vec3& p, const Vec3& q) const {
     const Vec3 &x = mesh_.point(face_[0]), &y = mesh_.point(face_[1]), &z = mesh_.point(face_[2]);
     const Vec3 a = x - p, b = y - p, c = z - p, d = q - p;

@@ -20,11 +20,11 @@ enum class SmoothGoal {
 
 struct SmoothRule {
   unsigned max_steps = 12;
-  double good_enough = 2;  ///< a vertex whose worst shape is above this is not moved any further
+  double good_enough = 2;  ///< a vertex is not moved any further once the worst shape around it is above this limit
   SmoothGoal goal = SmoothGoal::worst;
   double floor = 0;
   double least_rise = 1.0005;  ///< a move must raise the worst shape by at least this factor
-  double least_gain = 0.02;    ///< smallest rise of the sum of worths around the vertex, if the mean is raised
+  double least_gain = 0.02;    ///< least rise of the sum of worths (CellQuality), when the mean shape is raised
   /// If surfaces are kept exactly: whether vertices on input edges may move along these edges.
   bool slides_on_edges = false;
 };
@@ -80,8 +80,7 @@ bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexInde
 inline constexpr double usual_room = 0.5;
 
 /// Inserts a vertex into the cell if this raises the worst shape around it. The cavity grows greedily across the faces
-/// that would make the worst new cells (Klingner and Shewchuk 2007, section 3.4), and the place of the vertex is
-/// optimised.
+/// that would make the worst new cells (Klingner and Shewchuk 2007, section 3.4), and its place is optimised.
 bool insert_to_improve(Toolbox& tools, CellIndex c, double room = usual_room);
 /// Splits an edge if this, with the new vertex at its best place, raises the worst shape around it.
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room = usual_room);

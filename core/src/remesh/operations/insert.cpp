@@ -105,9 +105,8 @@ class SurfaceInsertion {
     return true;
   }
 
-  /// Finds the cells whose circumsphere contains p, without those that p does not see, if no vertex is nearer than
-  /// `spacing`. A shape criterion in doubles selects the cells; visibility is decided exactly. Returns false if there
-  /// is none.
+  /// Finds the cells whose circumsphere contains p and that p sees, if no vertex is nearer than `spacing`. A shape
+  /// criterion in doubles selects the cells; visibility is decided exactly. Returns false if there is none.
   bool find_cavity(const LocalLength& spacing) {
     constexpr std::size_t most_cells = 400;
     const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f).constrained(); };

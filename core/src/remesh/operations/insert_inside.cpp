@@ -27,10 +27,10 @@ Vec3 offset_of_circumcentre(const DomainMesh& mesh, const Triangle& t) {
 
 namespace {
 
-/// Finds the cell that contains p by a walk from `start`. Returns nothing if a constrained face or many cells
-/// intervene.
+/// Finds the cell that contains p by a walk from `start`. Returns nothing at a constrained face, or after many cells.
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
-  unsigned turn = 0;  // The walk varies the order in which it tries the faces, so that it cannot cycle for long.
+  unsigned turn =
+      0;  // The walk to the cell of p varies the order in which it tries faces, so it cannot cycle for long.
   const auto end = mesh.walk(
       p, start, 1000, [&] { return turn++ & 3u; }, [&](FaceRef f) { return mesh.tag(f).constrained(); });
   return end.end == DomainMesh::Walk::End::found ? std::optional(end.cell) : std::nullopt;
@@ -114,7 +114,7 @@ class InsideInsertion {
   Workspace& work_;
   const InsertionRule& rule_;
   Vec3 p_;
-  std::span<const double> shapes_;  // shapes of the new cells, one for each border face
+  std::span<const double> shapes_;  // shapes of the new cells, one for each face of the cavity's border
 };
 
 }  // namespace

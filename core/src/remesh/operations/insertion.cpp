@@ -40,12 +40,12 @@ class CavityDigger {
 
  private:
   struct BorderFace {
-    double shape = 1;  ///< shape of the new cell that would be made at this face
-    FaceRef neighbor;  ///< the border face as a face of the cell outside
+    double shape = 1;  ///< shape of the new cell between this face of the cavity's border and the new point
+    FaceRef neighbor;  ///< this face of the cavity's border, as a face of the cell outside the cavity
     bool is_constrained = false;
   };
 
-  /// Adds the border faces of the cell that was added last.
+  /// Adds to the cavity's border the border faces of the cell that the cavity received last.
   void add_border(const Vec3& p) {
     const CellIndex c = cells_.back();
     for (unsigned i = 0; i < 4; ++i) {
@@ -55,7 +55,7 @@ class CavityDigger {
     }
   }
 
-  /// Returns the border face with the worst new cell; of equal ones the first.
+  /// Returns the face of the cavity's border with the worst new cell; of equal ones the first.
   BorderFace worst_border() const {
     BorderFace worst;
     for (const BorderFace& f : border_)

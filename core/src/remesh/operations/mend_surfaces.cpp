@@ -111,7 +111,7 @@ class Mender {
                          [&](const SurfaceFace& f) { return !tools_.guard.is_proven_near_reference(f); });
   }
 
-  /// Keeps a repair as an option if it leaves fewer faces too far from the input than before, or none before and after.
+  /// Keeps a repair as an option if fewer faces are too far from the input than before it, or none before and after.
   void consider(const StarCavity& cavity, const std::vector<SurfaceFace>& before, std::function<void()> change) {
     const double shape = star_shape(mesh_, cavity, target_, least_shape);
     if (!(shape > least_shape) || !star_is_positive(mesh_, cavity, target_)) return;

@@ -42,8 +42,8 @@ struct Toolbox {
   void make_room_for_normals() {
     if (nearest_facet.size() < mesh.n_vertices()) nearest_facet.resize(mesh.n_vertices() + mesh.n_vertices() / 8);
   }
-  /// Replaces cells by those in work.added, and lists the new ones in work.created. False if the block does not allow
-  /// it.
+  /// Replaces the cells `removed` by those in work.added, and lists the new cells in work.created. Returns false if the
+  /// block of cells that this thread may change does not permit it.
   bool exchange(std::span<const CellIndex> removed) {
     if (!block) {
       mesh.replace(removed, work.added, work.created);
@@ -80,10 +80,9 @@ std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a
 
 enum class CollapseRule {
   improve,  ///< the worst shape around the removed vertex must rise
-  /// The worst shape must not fall below both its former value and `floor`, and no new edge may be longer than 1.4
-  /// times its size.
+  /// The worst shape must not fall below both its former value and `floor`, nor new edges exceed 1.4 times their size.
   coarsen,
-  thin_out,  ///< the conditions of `coarsen`, and no more bad cells than before unless bad_cells_may_spread is set
+  thin_out,  ///< as for `coarsen`, and no more bad cells than before the contraction, unless bad_cells_may_spread
 };
 
 /// Contracts the edge u-v by moving u to v, if u is no corner and the edge lies on the curve or patch of u. The
@@ -107,8 +106,8 @@ struct Sphere {
 };
 
 struct InsertionRule {
-  LocalLength spacing{};  ///< no vertex of the cavity may be nearer to the point than this
-  double min_shape = 0;   ///< the worst new shape must be above this
+  LocalLength spacing{};  ///< no vertex of the cavity may be nearer to the new point than this length
+  double min_shape = 0;   ///< the worst shape of the new cells must be above this limit
 };
 
 /// Inserts p by a constrained Delaunay cavity (Bowyer 1981, Watson 1981), which ends at constrained faces and is

@@ -72,8 +72,8 @@ class PolygonTriangulation {
  private:
   using Shell = EdgeShell<double, max_ring + 1>;
 
-  /// Finds the best triangulation by dynamic programming. An edge of the polygon has the value `of_edge`, and values up
-  /// to `least` are dropped. `span_value` combines the values on both sides of a triangle (EdgeShell).
+  /// Finds the best triangulation of the polygon around an edge by dynamic programming. A side of the polygon has the
+  /// value `of_edge`; values up to `least` are dropped. `span_value` combines the values beside a triangle (EdgeShell).
   template <class SpanValue>
   double triangulate(double of_edge, double least, const SpanValue& span_value) {
     struct Goal {
@@ -88,7 +88,7 @@ class PolygonTriangulation {
     return shell_.triangulate(n_, Goal{of_edge, least, span_value});
   }
 
-  /// Returns an upper bound of the worse shape of the two new cells at side i of the polygon, and of their mean shape.
+  /// Returns an upper bound of the worse and the mean shape of the two new cells at side i of the ring around the edge.
   double bound_at_side(std::size_t i) const {
     const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[i + 1 == n_ ? 0 : i + 1]);
     return measure_.most_of_half_angle(mesh_.point(a_), mesh_.point(b_), x, y);

@@ -96,8 +96,8 @@ class Smoother {
     return ends_[0] + dot(p - ends_[0], problem_.direction) * problem_.direction;
   }
 
-  /// Projects p from the line through the two adjacent vertices onto the line through the ends of the input edge, so
-  /// that rounding does not add up over moves. Finding these ends takes a walk, so it is done only just before v moves.
+  /// Projects p from the line through the neighbours of v on its curve to the line through the ends of the input edge
+  /// at v, so that rounding does not add up. Finding the ends takes a walk, so it is done just before v moves.
   Vec3 on_input_edge(const Vec3& p) {
     for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(end_of_edge(cavity_.curves[k]));
     const Vec3 d = ends_[1] - ends_[0];

@@ -32,8 +32,8 @@ Vec3 StarProblem::constrain(const Vec3& v) const {
 
 namespace {
 
-/// Returns the point of the convex hull of g that is nearest to the origin, by Gilbert's iteration (1966). Its accuracy
-/// suffices for a direction along which all shapes rise.
+/// Returns the point nearest to the origin in the convex hull of the vectors g, by Gilbert's iteration (1966). Its
+/// accuracy suffices for a direction along which all shapes rise.
 Vec3 nearest_to_origin(const std::vector<Vec3>& g) {
   Vec3 x = g[0];
   for (const Vec3& v : g)

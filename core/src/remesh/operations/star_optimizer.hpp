@@ -16,7 +16,7 @@
 namespace geomesh::remesh {
 
 struct StarProblem {
-  LinkShapes& link;  ///< faces of the link; each forms a positive cell with an admissible point
+  LinkShapes& link;  ///< faces of the moved vertex's link; each forms a positive cell with any admissible position
   CellQuality measure = CellQuality();
   enum class Freedom { space, plane, line } freedom = Freedom::space;
   Vec3 direction = {};  ///< unit normal of the plane, or unit vector along the line, in which the vertex may move
@@ -28,13 +28,13 @@ struct StarProblem {
 
 struct OptimizeLimits {
   unsigned max_steps = 12;
-  double good_enough = 2;      ///< the ascent stops once the worst shape is above this
-  double least_rise = 1.0005;  ///< each step must raise the worst shape by at least this factor
+  double good_enough = 2;      ///< the ascent stops once the worst shape around the vertex is above this limit
+  double least_rise = 1.0005;  ///< each step of the ascent must raise the worst shape by at least this factor
 };
 
 struct OptimizedPlace {
   Vec3 point;
-  double shape;  ///< worst shape around the vertex; at least that at the start
+  double shape;  ///< worst shape around the vertex at this place; at least that at its first place
 };
 
 /// Finds the best position of a vertex by an ascent along the gradients of the worst shapes around it. Returns `start`

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Operations on all surfaces of the mesh: assignment of facets to faces, repair of places outside the tolerance,
-/// Delaunay flips.
+/// Operations on all surfaces of the mesh: assignment of facets to faces, repair outside the tolerance, Delaunay flips.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +16,8 @@ void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLi
 
 /// How a surface is repaired at a place that is too far from the input.
 enum class MendBy : std::uint8_t {
-  /// A vertex is moved to the place or an edge is split. A move may take the surface too far from the old place.
+  /// At a place that is too far from the input, a vertex is moved or an edge is split. A move may take the surface too
+  /// far from the old position of the vertex.
   moves_and_splits,
   splits,
 };

@@ -68,15 +68,15 @@ class BorderBalancer {
   }
 
  private:
-  /// Number of samples on a chord for its distance from the input's border. For parabolas the sum is accurate to 1 %.
+  /// Number of samples on a border edge for its distance from the input's border. For parabolas the sum is within 1 %.
   static constexpr unsigned n_samples = 8;
 
   bool is_on_free_border(VertexIndex v) const {
     return mesh_.kind(v) == VertexKind::curve && mesh_.curve_class(mesh_.support(v)).patches.size() == 1;
   }
 
-  /// Returns the unit vector that is perpendicular to the chord in the plane of its only face and points out of the
-  /// surface; zero if there is not exactly one face, or if it has no area.
+  /// Returns the unit vector that is perpendicular to the border edge from v to `other` in the plane of its only face
+  /// and points out of the surface; zero if that face has no area.
   Vec3 outward(VertexIndex v, VertexIndex other) const {
     for (const Spoke& s : cavity_.spokes) {
       if (s.a != other && s.b != other) continue;
@@ -87,7 +87,7 @@ class BorderBalancer {
     return {};
   }
 
-  /// Returns the area between a chord and the input's border; positive if the border is outside the chord.
+  /// Returns the area between a border edge of the mesh and the input's border; positive if the latter is outside.
   double area_lost(const Vec3& a, const Vec3& b, Index curve, const Vec3& out) const {
     double sum = 0;
     for (unsigned k = 0; k < n_samples; ++k) {
@@ -98,7 +98,8 @@ class BorderBalancer {
     return sum / n_samples * distance(a, b);
   }
 
-  /// Moves v outwards or inwards until the two chords at it have recovered half of the area that each has lost.
+  /// Moves v, a vertex on a free border, outwards or inwards until the two border edges at it have recovered half of
+  /// the area that each has cut off from the input.
   bool balance(VertexIndex v) {
     gather_star(mesh_, v, tools_.work.marks, cavity_);
     if (cavity_.curves.size() != 2) return false;
@@ -154,7 +155,7 @@ class VolumeBalancer {
   struct Face {
     Triangle vertices;
     Index patch;
-    Vec3 normal{};    ///< normal vector; its length is twice the area
+    Vec3 normal{};    ///< normal vector of the face; its length is twice the face's area
     double lost = 0;  ///< twice the volume between the face and the input; positive on the side of the normal
   };
   /// Normal vector, volume lost and area, summed over the faces around a vertex.

@@ -21,21 +21,20 @@ namespace geomesh::remesh {
 /// the result. Vertices must neither be created nor removed between the first and the last visit.
 class BlockPass {
  public:
-  /// The function called for each vertex. The tools passed to it are those of the block: they share the mesh, the
-  /// envelope, the sizes and the rules with other blocks, but have no caches by vertex.
+  /// The function called for each visited vertex. It receives the Toolbox of the vertex's block, which shares the mesh,
+  /// the envelope, the sizes and the rules with those of other blocks, but has no caches by vertex.
   using Visit = std::function<void(VertexIndex, Toolbox&)>;
 
-  /// Both arguments must outlive this object. An exception from the function called for a vertex ends the pass.
+  /// `tools` and `context` must outlive this object. An exception from the function called for a vertex ends the pass.
   BlockPass(Toolbox& tools, const RunContext& context) : tools_(tools), context_(context) {}
 
-  /// Visits vertices, within each block in the given order. If they are fewer than `least`, one thread visits all in
-  /// order.
+  /// Visits vertices, within each block in the given order. If there are fewer than `least`, one thread visits all.
   void run(std::vector<VertexIndex> vertices, std::size_t least, const Visit& visit);
 
   /// Numbers of vertices visited in all calls of `run`: concurrently in blocks of vertices, or by one thread.
   struct Counts {
     std::size_t in_blocks = 0;      ///< vertices visited concurrently, inside blocks of vertices
-    std::size_t put_off = 0;        ///< vertices whose visit needed cells of another block and was repeated
+    std::size_t put_off = 0;        ///< vertices visited again, because the visit needed cells of another block
     std::size_t by_one_thread = 0;  ///< vertices left to be visited by one thread
     std::size_t critical = 0;       ///< vertices in the largest block of each division into blocks
   };

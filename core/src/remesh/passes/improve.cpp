@@ -106,7 +106,7 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
   return Next::again;
 }
 
-/// For each kind of short edges, the mesh's time when they were last examined; 0: never.
+/// For each value of ShortEdges, the mesh's time (DomainMesh::tick) when such edges were last examined; 0: never.
 using LastLook = std::array<std::uint64_t, 2>;
 
 /// One round of a pass that removes points: first inside, then on surfaces that may be remeshed. Skips edges around
@@ -157,7 +157,8 @@ void mend_what_is_left(const Mending& mending) {
               .round = [&](unsigned) { return thin_points(tools, look_at_unneeded, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
-  // If the input imposes many bad cells, hardly any repair succeeds; bad cells that it does not impose come later.
+  // This pass is skipped if many cells are bad, because the input then imposes them and hardly any repair succeeds. A
+  // later pass repairs the bad cells that the input does not impose.
   passes.once(
       "bad cells mended by looking ahead",
       [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); },
@@ -230,8 +231,8 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                 .most_rounds = schedule.sliver_rounds});
   }
   mend_what_is_left({tools, schedule, passes, context, out_of_time});
-  // Repair considers only the worst cells. Where it has given up many of them, the other cells may have any shape, so
-  // their mean is raised here.
+  // Repair considers only the worst cells. If it has given up many of them, the other cells may have any shape, so the
+  // mean shape of all cells is raised here.
   const double poor = measure.of_angle(schedule.target_angle + schedule.good_above_target);
   passes.run({.name = "the mean raised where much is poor",
               .round = [&](unsigned k) { return raise(k, schedule.smoothing_steps, poor); },

@@ -35,8 +35,8 @@ void balance_surfaces(Toolbox& tools, const RunContext& context);
 void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context,
                   const FreeCellJudge* judge = nullptr);
 
-/// Runs the last part of the schedule again: repairs bad cells that have appeared since, by sequences of operations,
-/// and removes points that are too close to others.
+/// Runs the last part of the schedule of improvement again: repairs bad cells that have appeared since, by sequences of
+/// operations, and removes points that are too close to others.
 void mend_bad_cells(Toolbox& tools, const RefineOptions& options, const RunContext& context);
 
 }  // namespace geomesh::remesh

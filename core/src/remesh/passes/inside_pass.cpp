@@ -42,8 +42,8 @@ class InsideRefiner {
       const std::size_t n_centre = pass(large, Kind::centre_at_front, context);
       total += n_centre;
       if (n_front + n_centre > 0) continue;
-      // The front cannot advance, for example if sizes change over distances shorter than themselves. Cells beyond the
-      // front are refined too, so that the space there does not remain empty.
+      // The front of inserted points cannot advance, e.g. if sizes change over distances shorter than themselves. Cells
+      // beyond the front are refined too, so that the space there does not remain empty.
       const std::size_t n_beyond = pass(large, Kind::centre_beyond, context);
       total += n_beyond;
       if (n_beyond == 0) break;
@@ -230,15 +230,15 @@ class InsideRefiner {
 
   bool is_on_front(CellIndex c) { return is_front(c, 0) || is_front(c, 1) || is_front(c, 2) || is_front(c, 3); }
 
-  /// Inserts a point at the circumcentre or centroid of a cell at the front or beyond it. Points beyond the front are
-  /// tried only when it cannot advance, because it would reach them later at an unsuitable distance.
+  /// Inserts a point at the circumcentre or centroid of a cell at the advancing front or beyond it. Points beyond the
+  /// front are tried only when it cannot advance, because it would reach them later at an unsuitable distance.
   bool insert_at_centre(CellIndex c, bool at_front) {
     if (is_on_front(c) != at_front) return false;
     const Sphere s = circumsphere(mesh_, c);
     return s.radius < 1e300 && (insert(s.centre, c) || insert(mesh_.middle(walled_->vertices(c)), c));
   }
 
-  /// Values of WalledMesh::note: whether a cell is too large.
+  /// Values stored for a cell as WalledMesh::note: whether the cell is larger than its target size.
   enum Note : unsigned { not_known, small, large };
 
   Toolbox& tools_;
@@ -247,7 +247,7 @@ class InsideRefiner {
   const double steepest_ = tools_.lengths.field().steepest();
   std::optional<WalledMesh> walled_;
   PassNumber pass_ = 0;
-  std::vector<PassNumber> changed_;  // for each vertex, the last pass that created a cell at it
+  std::vector<PassNumber> changed_;  // for each vertex, the number of the last pass that created a cell at it
   std::array<std::vector<PassNumber>, 3> refused_;
 };
 

@@ -15,7 +15,7 @@ namespace geomesh::remesh {
 /// Throws Error{cannot_mesh} because a pass would create more than max_cells cells.
 [[noreturn]] void throw_too_many_cells(std::size_t max_cells);
 
-/// Runs the schedule of refinement, which consists of all passes in this header.
+/// Runs the schedule of refinement, which consists of all passes declared in passes.hpp.
 void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context);
 
 enum class ShortEdges : bool {
@@ -47,7 +47,7 @@ std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_ce
 void for_each_block(const DomainMesh& mesh, std::vector<VertexIndex> movable, unsigned threads,
                     const std::function<void(const std::vector<VertexIndex>&, Workspace&)>& visit);
 
-/// For each vertex, the mesh's time of the last failed flip, and of the last failed move, on surfaces.
+/// For each vertex on a surface, the mesh's times (DomainMesh::tick) of the last flip and the last move that failed.
 struct InVainOnSurfaces {
   std::vector<std::uint64_t> flips, moves;
 };

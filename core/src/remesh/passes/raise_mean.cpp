@@ -29,7 +29,7 @@ class MeanRaiser {
     rule.max_steps = smoothing_steps;
     rule.goal = SmoothGoal::mean;
     rule.floor = goal_.floor;
-    // If most cells are poor, raising the mean is worth more time.
+    // If most cells are poor, raising the mean of all shapes is worth more time.
     rule.least_gain = tools_.bad_cells_may_spread ? 0.002 : 0.015;
     const auto go_on = [&] {
       context.check_cancelled();
@@ -61,8 +61,8 @@ class MeanRaiser {
   }
 
   /// Tries to remove the edges from v to vertices of higher index, so that each edge is examined once. The opposite
-  /// flip, of a face by an edge, hardly ever raises the mean: three cells about a new edge are worse than the two that
-  /// they replace.
+  /// flip, which replaces a face by an edge, hardly ever raises the mean shape: three cells about a new edge are worse
+  /// than the two that they replace.
   void flip_about(VertexIndex v, Toolbox& tools) {
     auto& [star, edges] = lists_.local();
     mesh_.star(v, tools.work.marks, star);
@@ -99,7 +99,7 @@ class MeanRaiser {
     VertexIndex from = no_vertex;
     std::uint32_t at = 0;  ///< in edges_
   };
-  // For each vertex, the edge by which it was reached last; accessed only by the thread that visits its block.
+  // For each vertex, the last listed edge that ends there; accessed only by the thread that visits its block.
   std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());
 };
 

@@ -16,7 +16,7 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr unsigned n_halvings = 3;
-constexpr std::size_t least_to_part = 4096;  ///< fewer vertices are not divided into blocks for threads
+constexpr std::size_t least_to_part = 4096;  ///< fewer vertices than this are not divided into blocks for threads
 constexpr std::uint8_t fixed = 255, shared = 254;
 constexpr std::size_t vertices_between_looks = 1024;  ///< at the clock
 

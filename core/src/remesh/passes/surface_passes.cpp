@@ -116,7 +116,7 @@ class EdgeSplitter {
 };
 
 /// Returns the edges shorter than `ratio` times their target size, the shortest first, around which the mesh has
-/// changed after its time `since`. Runs on all cores.
+/// changed after its time `since` (DomainMesh::tick). Runs on all cores.
 std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double ratio, std::uint64_t since,
                                       const RunContext& context) {
   constexpr std::size_t chunk = 16384;
@@ -157,7 +157,7 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
     if (k % 256 == 0) context.check_cancelled(), context.report(mesh.n_cells(), 0);
     VertexIndex u = edges[k].a, v = edges[k].b;
     if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
-    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // Contraction removes u, the less constrained end.
+    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // contraction removes the less constrained end u of the edge
     if (cell_with_edge(tools, u, v) == no_cell) continue;
     if (collapse(u, v) || collapse(v, u)) ++n;
   }

@@ -17,7 +17,7 @@ enum class RepairBy : std::uint8_t { nothing, flips_and_moves, contraction, poin
 
 class WorstFirstRepair {
  public:
-  /// All arguments must outlive this object. `out_of_time` is polled from time to time.
+  /// `tools` and `schedule` must outlive this object. `out_of_time` is polled; once it returns true, repair ends.
   WorstFirstRepair(Toolbox& tools, const ImproveSchedule& schedule, std::function<bool()> out_of_time)
       : tools_(tools), mesh_(tools.mesh), schedule_(schedule), out_of_time_(std::move(out_of_time)) {}
 
@@ -26,8 +26,7 @@ class WorstFirstRepair {
   /// repeated only after a change around the cell. Returns the number of cells around which something changed.
   std::size_t run(const std::vector<BadCell>& bad, RepairBy deepest, double room);
 
-  /// Permits new points to be tried again where they failed, for example because they may be closer to others next
-  /// time.
+  /// Permits new points to be tried again where they failed, e.g. because they may be closer to others then.
   void forget_failed_points();
 
  private:
@@ -45,8 +44,8 @@ class WorstFirstRepair {
     std::uint64_t when = 0;  ///< the mesh's time
     RepairBy what = RepairBy::nothing;
   };
-  std::vector<Attempt> tried_;           // for each cell, the kinds of operations that failed
-  std::vector<std::uint64_t> smoothed_;  // for each vertex, when moving it last failed
+  std::vector<Attempt> tried_;           // for each cell, the kinds of operations that failed to improve it
+  std::vector<std::uint64_t> smoothed_;  // for each vertex, the mesh's time when moving it last failed
 };
 
 }  // namespace geomesh::remesh

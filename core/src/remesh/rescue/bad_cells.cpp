@@ -16,7 +16,7 @@ std::size_t count_below(const DomainMesh& mesh, double limit) {
   return n;
 }
 
-/// Counts cells by class of shape, then sorts only the class that contains the percentile.
+/// Finds the percentile by counting cells by class of shape, then sorting only the class that contains it.
 double shape_at_percentile(const DomainMesh& mesh, double share, unsigned threads) {
   constexpr std::size_t chunk = 65536, n_classes = 1024;
   using Counts = std::array<std::size_t, n_classes>;

@@ -25,8 +25,7 @@ double shape_at_percentile(const DomainMesh& mesh, double share, unsigned thread
 /// The worst first.
 std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit);
 /// Lists cells with a shape below `limit` by classes of equal width in shape, the worst class first. Within a class,
-/// cells are in the order of the mesh: cells close in memory are examined one after the other, which is many times as
-/// fast.
+/// cells are in the order of the mesh: cells close in memory are examined one after the other, which is far faster.
 std::vector<BadCell> cells_below_by_class(const DomainMesh& mesh, double limit, unsigned n_classes);
 BadCell bad_cell(const DomainMesh& mesh, CellIndex c);
 
@@ -51,7 +50,8 @@ struct Tally {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && worst > rescue_limits.notable_rise * other.worst));
   }
-  /// Compares the sums over all bad cells, because the worst shape says nothing next to cells that cannot be improved.
+  /// Returns whether the worst shape is no lower, and there are fewer bad cells, or as many with a clearly lower sum of
+  /// 1 - shape / bad_shape. Next to cells that cannot be improved, the worst shape alone says nothing.
   bool is_less_bad_than(const Tally& other) const {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && deficit < other.deficit - rescue_limits.notable_relief));

@@ -16,8 +16,8 @@ using Edge = std::array<VertexIndex, 2>;
 
 /// The bad cells that are repaired during a trial (a sequence of operations that can be undone).
 enum class MendScope : bool {
-  touched,  ///< bad cells that the trial has created or changed, and their neighbours
-  own,      ///< only bad cells that operations of the trial have created or changed
+  touched,  ///< bad cells that the undoable trial has created or changed, and their neighbours
+  own,      ///< only bad cells that operations of the undoable trial have created or changed
 };
 
 enum class NewPoints : bool { no, yes };
@@ -33,7 +33,7 @@ class RescuedPlace {
   void set_seed(CellIndex c) { seed_ = bad_cell(mesh_, c); }
   void set_scope(MendScope scope) { scope_ = scope; }
 
-  /// Performs the first operation that raises the worst shape around the cell.
+  /// Tries operations around the cell in turn, and performs the first one that raises the worst shape there.
   bool mend(CellIndex c) {
     return flip_about_cell(tools_, c) || move_vertices(c) || collapse_about_cell(tools_, c) ||
            (points_ == NewPoints::yes && add_point_about_cell(tools_, c, rescue_limits.room));
@@ -67,7 +67,7 @@ class RescuedPlace {
   }
   void forget_given_up() { given_up_.clear(); }
 
-  /// Returns whether the initial bad cell of the trial exists and is hardly better, so that only others have gained.
+  /// Returns whether the first bad cell of the undoable trial exists and is hardly better: only other cells gained.
   bool is_seed_as_it_was() const {
     return is_left(mesh_, seed_) && !(mesh_.shape_of(seed_.cell) > rescue_limits.notable_rise * seed_.shape);
   }
@@ -113,7 +113,8 @@ class RescuedPlace {
 
 enum class BadCells : bool { may_not_spread, may_spread };
 
-/// Calls `open`, which may worsen shapes, and repairs the cells around. Keeps all changes if these are clearly better.
+/// Calls `open`, an operation near a bad cell that may worsen shapes, and repairs the cells around. Keeps all changes
+/// if the shapes are clearly better as a whole.
 template <class Open>
 bool attempt(Toolbox& tools, RescuedPlace& place, BadCells spread, const Open& open) {
   Trial trial(tools);
@@ -138,7 +139,8 @@ std::vector<CellIndex> cells_about(Toolbox& tools, const Tetrahedron& t) {
   return cells;
 }
 
-/// Returns candidates (u, v) for contractions: u is movable and in a cell around; v is in the cell or nearest to u.
+/// Returns the edges (u, v) near the cell t that may be contracted by moving u to v: u is a movable vertex of t or of a
+/// cell around t, and v is a vertex of t or the one nearest to u.
 std::vector<Edge> edges_to_collapse(Toolbox& tools, const Tetrahedron& t) {
   std::vector<Edge> edges;
   for (const VertexIndex u : movable_about(tools, t)) edges.push_back({u, nearest_neighbour(tools, u)});

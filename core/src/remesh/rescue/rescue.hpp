@@ -12,14 +12,14 @@ namespace geomesh::remesh {
 struct RescueRule {
   double bad_shape;          ///< a cell with a lower shape is bad
   unsigned smoothing_steps;  ///< largest number of steps when a vertex is moved
-  unsigned max_steps;        ///< largest number of operations in a sequence
+  unsigned max_steps;        ///< largest number of operations in one sequence that repairs a bad cell
 };
 
 using OutOfTime = std::function<bool()>;
 
-/// Number of sequences of operations that may still fail, over all cells. Sequences around a cell that is improved in
-/// the end do not count. Therefore all bad cells are tried if they are few, and the work is bounded if the input
-/// imposes very many.
+/// Number of sequences of repair that may still fail, over all cells. Sequences around a cell that is improved in the
+/// end do not count. Therefore all bad cells are tried if they are few, and the work is bounded if the input imposes
+/// many.
 struct VainTrials {
   std::size_t left;
 };
@@ -61,8 +61,7 @@ struct RescueSearch {
 /// leaves fewer bad cells, or as many that together lack notably less. (Next to a cell that cannot be improved, the
 /// worst shape says nothing.) A trial is also kept if it leaves only bad cells imposed by the input, and at most one
 /// more of these. If a bad cell that the input does not impose has only been replaced by another, and the shapes are
-/// hardly worse, the search continues from the new one. Returns whether the cell is improved. A trial takes about a
-/// millisecond.
+/// hardly worse, the search continues from the new one. Returns whether the cell is improved. A trial takes about 1 ms.
 bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search);
 
 /// Calls rescue_cell for all bad cells of the mesh, and again for those around which something has changed since.

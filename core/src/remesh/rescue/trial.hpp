@@ -7,9 +7,9 @@
 
 namespace geomesh::remesh {
 
-/// Records all changes of the mesh from construction on, and undoes them at the end unless `keep` was called. The mesh,
-/// the data of the toolbox about it, and its statistics are then as before. While a trial lasts, bad cells may spread,
-/// and points may be put into thin gaps.
+/// Records all changes of the mesh from construction on, and undoes them at destruction unless `keep` was called: the
+/// mesh, the data about it in the Toolbox, and its statistics are then as before. While such a trial lasts, bad cells
+/// may spread, and points may be put into thin gaps.
 class Trial {
  public:
   explicit Trial(Toolbox& tools)

@@ -21,7 +21,7 @@ namespace {
 /// at the scale 1, limited to powers between one and three.
 double at_scale_one(const std::array<double, 3>& integrals, double scale) {
   const auto at = [&](unsigned k) { return integrals[k] * std::pow(std::ldexp(scale, static_cast<int>(k)), 3); };
-  const double x = 1 / scale;  // scale 1, for which the polynomial is evaluated, over the smallest scale
+  const double x = 1 / scale;  // the scale 1 at which the polynomial is evaluated, as a multiple of the smallest scale
   const double found = at(0) * (x - 2) * (x - 4) / 3 - at(1) * (x - 1) * (x - 4) / 2 + at(2) * (x - 1) * (x - 2) / 6;
   return std::clamp(found, integrals[0] * scale, integrals[0] * scale * scale * scale);
 }
@@ -31,7 +31,7 @@ double at_scale_one(const std::array<double, 3>& integrals, double scale) {
 double elements_by_sizes(const DomainMesh& mesh, const SizeField& size, double enough) {
   // Sizes that are too small to be sampled are enlarged 8, 64, 4096 ... times, because their unit may be wrong.
   constexpr double larger = 8;
-  constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // samples that take about 1.5 s and 0.15 s
+  constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // size evaluations that take 1.5 s and 0.15 s
   if (const auto found = integrate_sizes(mesh, size, many_samples, enough)) return elements_of(*found);
   for (double scale = larger; std::isfinite(scale); scale *= scale) {
     const auto first = integrate_sizes(mesh, size.times(scale), few_samples);
@@ -104,7 +104,7 @@ double middle_edge(const PiecewiseLinearComplex& plc) {
 /// size, the length of most input edges.
 void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options,
                          const RunContext& context, RefineResult& result) {
-  constexpr double many = 250'000, most = 2, short_edge = 0.1;  // short_edge: relative to the median length
+  constexpr double many = 250'000, most = 2, short_edge = 0.1;  // short_edge: as a share of the median length of edges
   const double estimate = result.statistics.estimated_elements;
   if (!options.size.from_input_edges || !sizes_surfaces(options) || estimate < many) return;
   const bool has_size = options.size.global > 0;

@@ -20,7 +20,7 @@ class FlatExtent {
     std::array<Vec3, 3> corners;
     Index patch;
   };
-  /// `faces` are those of all surfaces. Lengths above `widest` are not examined.
+  /// `faces` are those of all surfaces of a mesh. Whether they are flat is examined over lengths up to `widest` only.
   FlatExtent(std::vector<Face> faces, double widest) : faces_(std::move(faces)), widest_(widest) {}
 
   /// Returns the largest of the lengths `widest`, widest / 2, widest / 4, ... over which the patch around the place is
@@ -36,7 +36,7 @@ class FlatExtent {
   struct Level {
     double cell = 0;             ///< width
     std::vector<Entry> entries;  ///< sorted
-    /// RMS distance of the surface around a grid cell from its best plane, at the first entry of the cell; -1: unknown.
+    /// RMS distance of the surface around a grid cell from its best plane, stored at the cell's first entry; -1: none.
     std::vector<double> off;
   };
   Level& level(unsigned number);

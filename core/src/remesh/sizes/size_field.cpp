@@ -20,7 +20,7 @@ constexpr Index leaf_size = 8;
 /// beyond. Computed without roots and divisions.
 bool asks_at_least(double bound, double squared_distance, double size, double radius, double gradation) {
   if (size >= bound) return true;
-  // gradation times the distance from the source within which it requires a size below `bound`
+  // gradation times the distance from the source at which the size that it requires reaches `bound`
   const double reach = radius * gradation + (bound - size);
   return squared_distance * gradation * gradation >= reach * reach;
 }
@@ -54,8 +54,7 @@ SizeField SizeField::times(double factor) const {
 }
 
 /// Removes redundant sources and returns whether there were any. A source is redundant if no source has a larger
-/// gradation, and another source requires less at its point by more than the redundant source's gradation times its
-/// radius.
+/// gradation, and another source requires less at its point by more than the redundant one's gradation times radius.
 bool SizeField::drop_redundant() {
   std::vector<SizeSource> kept;
   for (const SizeSource& s : sources_) {

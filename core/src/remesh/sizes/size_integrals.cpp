@@ -89,7 +89,7 @@ class Integral {
 
  private:
   static constexpr unsigned greatest_depth = 200;
-  /// If a piece of a simplex contributes less than this share of the sum so far, only one of its halves is evaluated.
+  /// If a piece of a simplex contributes less than this share of the integral so far, only half of it is evaluated.
   static constexpr double small_share = 1e-4;
 
   /// How often a simplex was bisected to give this piece, and how many pieces like it the piece stands for.
@@ -105,8 +105,7 @@ class Integral {
   }
 
   /// A piece with a small contribution is estimated from one of its halves, chosen at random and counted twice (Russian
-  /// roulette). The expected value of the sum is unchanged, and the number of samples is limited however slender the
-  /// cells are.
+  /// roulette). The expected sum is unchanged, and the number of samples is limited however slender the cells are.
   void visit(const std::array<Vec3, n>& p, Index component, KnownPlace& near, const Share& share) {
     if (sampler_.is_exhausted()) return;
     Vec3 centre;
@@ -185,7 +184,8 @@ double elements_of(const SizeIntegrals& integrals) {
 
 std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples,
                                              double enough) {
-  SizeSampler sampler(size, most_samples + 5 * mesh.n_cells());  // one sample for the cell and one for each face
+  // In addition to `most_samples`, one sample of the size for each cell and one for each of its faces.
+  SizeSampler sampler(size, most_samples + 5 * mesh.n_cells());
   SizeIntegrals found{.volume = 0, .surface = 0, .fold = along_folds(mesh, sampler)};
   Integral<4> volume(sampler);
   Integral<3> surface(sampler);

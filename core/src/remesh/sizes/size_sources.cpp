@@ -81,9 +81,9 @@ void pass(CellIndex, double) {}
 /// A constrained face and another one opposite it, on the normal of the first at one of its points.
 struct Facing {
   FaceRef face;
-  Vec3 origin, normal;   ///< `normal`: unit vector into the cell
-  double width;          ///< distance between the two faces, along `normal` from `origin`
-  Vec3 normal_of_other;  ///< unit normal of the other face, away from the first one
+  Vec3 origin, normal;   ///< `normal`: unit normal of the first face, into its cell
+  double width;          ///< distance of the opposite face from `origin` along `normal`
+  Vec3 normal_of_other;  ///< unit normal of the opposite face, pointing away from the first face
 };
 
 /// Returns whether two surfaces that face each other meet within the distance `reach`, near the line in which the
@@ -93,7 +93,8 @@ bool meet_within(const DomainMesh& mesh, const Facing& facing, double reach) {
   // Surfaces may meet up to this far from the line in which their planes intersect, relative to its distance.
   constexpr double share = 0.5;
   const Vec3 &n = facing.normal, m = facing.normal_of_other;
-  const Vec3 down = m - dot(m, n) * n;  // direction in the plane of the face, towards the line of intersection
+  // direction in the plane of the first face towards the line in which the planes of the two faces meet
+  const Vec3 down = m - dot(m, n) * n;
   const double slope = length(down) / dot(m, n);
   if (!(facing.width > 0 && slope * reach >= facing.width)) return false;
   const Vec3 meeting = facing.origin + (facing.width / slope) * unit(down);

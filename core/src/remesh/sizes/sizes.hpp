@@ -23,7 +23,7 @@ struct SizeFields {
 };
 SizeFields build_size_field(const SizeBasis& basis, const DomainMesh& mesh, const RefineOptions& options,
                             const LocalTolerance& tolerance);
-/// Builds the size fields. The size basis is computed for this call only.
+/// Builds the size fields from input edges and bends of surfaces (a SizeBasis) that are collected for this call only.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                             const LocalTolerance& tolerance);
 /// Builds the size fields with the tolerance that the options give.

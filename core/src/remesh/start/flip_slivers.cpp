@@ -36,7 +36,7 @@ class SliverFlipper {
     if (g == f || !is_plain_[g] || plc_.facet_provenance[g] != plc_.facet_provenance[f]) return false;
     const Triangle other = triangle(g);
     const auto at_b = std::find(other.begin(), other.end(), b) - other.begin();
-    if (other[(at_b + 1) % 3] != a) return false;  // both triangles pass the edge in the same direction
+    if (other[(at_b + 1) % 3] != a) return false;  // the two triangles at the edge are oriented differently
     const VertexIndex q = other[(at_b + 2) % 3];
     const Triangle first{a, q, m}, second{q, b, m};
     const Vec3 up = normal(other);

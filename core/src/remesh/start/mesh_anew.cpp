@@ -151,7 +151,8 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
   const auto beside =
       components_beside(mesh, plc.n_facets(), [&](Index f) { return row_of_facet[mesh.faces[f].facet]; });
   if (!beside) return std::nullopt;
-  constexpr unsigned most_attempts = 2;  // after these, the caller tries again with fewer added points
+  // after so many failed attempts at recovery, the caller tries again with fewer added points
+  constexpr unsigned most_attempts = 2;
   auto fresh = tetrahedralize_beside(*beside, mesh.n_components, std::move(plc), most_attempts, context, trouble);
   if (fresh) inherit(mesh, *fresh);
   return fresh;

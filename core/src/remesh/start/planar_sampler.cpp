@@ -12,7 +12,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// A new place that is closer to another point than this share of the size at the point beside it is refused before its
+/// A candidate point that is closer to another than this share of the size at the point beside it is refused before its
 /// own size is evaluated. If sizes decrease by less than 0.5 per unit of distance, it would be refused anyway.
 constexpr double surely_crowded = 0.5;
 
@@ -154,7 +154,7 @@ void PlanarSampler::advance(unsigned n_directions, double distance) {
       const Vec2 direction{turn.x * d.x - turn.y * d.y, turn.y * d.x + turn.x * d.y};
       const Vec2 nearest = plus(place.at, distance * size, direction);
       if (!is_inside(nearest) || !is_free(nearest, surely_crowded * size)) continue;
-      // Mean of the sizes at both ends of the new edge.
+      // Mean of the target sizes at both ends of the new edge, but at least the size at its start.
       const double reach = 0.5 * (size + std::max(size, size_(nearest, place)));
       take(plus(place.at, distance * reach, direction), place);
     }
@@ -162,7 +162,7 @@ void PlanarSampler::advance(unsigned n_directions, double distance) {
 }
 
 std::vector<Vec2> PlanarSampler::run() {
-  // Adds points first beside the edges of the border, then around each accepted point, then where there is still room.
+  // Adds points first beside the edges of the polygon's border, then around each accepted point, then where one fits.
   for (const auto& [a, b, size_at_a] : edges_) {
     const Vec2 middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
     const double l = std::sqrt(squared_distance(a, b)), size = size_(middle, {a, size_at_a});

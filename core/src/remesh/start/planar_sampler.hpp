@@ -24,12 +24,12 @@ class PlanarSampler {
   };
   /// A function that returns the size at p, given a place nearby at which the size is known.
   using SizeBeside = std::function<double(const Vec2& p, const Place& beside)>;
-  /// The loops have vertices at about the target distances. The outer loop is counter-clockwise, holes are clockwise.
+  /// The loops bound the polygon, with vertices at about the target distances; the outer loop is counter-clockwise.
   PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size);
   /// Adds an existing point, or an inner segment with its ends, from which new points must keep their distance.
   void block(const Place& p) { add(p.at, p.size); }
   void block(const Place& a, const Place& b);
-  /// Returns the accepted points in the order in which they were accepted.
+  /// Adds points inside the polygon, and returns them in the order in which they were accepted.
   std::vector<Vec2> run();
 
  private:
@@ -39,7 +39,7 @@ class PlanarSampler {
   };
   struct Seed {
     Place place;
-    Vec2 direction;  ///< unit vector towards the place at which the next point is tried first
+    Vec2 direction;  ///< unit vector from `place` in which a new point is tried first
   };
   void add(const Vec2& p, double size);
   double along(const Vec2& p) const { return is_along_x_ ? p.x : p.y; }

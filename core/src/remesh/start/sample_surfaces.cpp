@@ -40,8 +40,7 @@ std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<
       f.v[(axis + 2) % 3] = n[axis] > 0 ? 1 : -1;
       return f;
     }
-  // A short edge may deviate from the best plane of many points by much of its length, so only its component in the
-  // plane is used.
+  // A short edge may deviate from the best plane by much of its length, so only its component in the plane is used.
   const Vec3 unit = (1 / l) * n, along = plc.points[loop[1]] - o, flat = along - dot(along, unit) * unit,
              u = (1 / length(flat)) * flat;
   return PlaneFrame{o, u, cross(unit, u)};
@@ -109,7 +108,7 @@ class SurfaceSampler {
     return size_.limits().component_size.empty() ? size_.at_beside(p, no_index, q, size_at_q) : size_at(p, facets);
   }
 
-  /// Returns the size at an original point or a new point on an edge. It is stored if sizes do not depend on the facet.
+  /// Returns the target size at an original point or one on an edge; stored if sizes do not depend on the facet.
   double size_at_vertex(VertexIndex v, std::span<const Index> facets) {
     const std::vector<Vec3>& points = out_.plc.points;
     if (!size_.limits().component_size.empty()) return size_at(points[v], facets);
@@ -121,8 +120,8 @@ class SurfaceSampler {
   /// Divides the edge into pieces with equal integrals of 1 / size.
   void cut(const Edge& edge, EdgeParts& parts) {
     if (whole_.edges.contains(edge)) return;
-    // An edge shorter than this many times the smaller size at its ends is surely one piece: an edge becomes two pieces
-    // only from 1.5 times the size on.
+    // An edge shorter than this many times the smaller target size at its ends is not divided, whatever the sizes along
+    // it: an edge becomes two pieces only from 1.5 times the size on.
     constexpr double surely_one = 1.2;
     const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
     const double l = length(d);
@@ -175,7 +174,7 @@ class SurfaceSampler {
   /// Samples facets in parallel. The points on edges and their sizes must have been computed before.
   void sample_facets(const RunContext& context) {
     constexpr std::size_t batch = 4096, chunk = 64;
-    // A function of the caller is evaluated on one thread only.
+    // If sizes are given by a function of the caller, it is evaluated on one thread only.
     const unsigned threads = size_.limits().background ? 1 : thread_count(context.threads);
     if (size_.limits().component_size.empty()) {
       vertex_size_.resize(out_.plc.points.size(), -1);
@@ -268,7 +267,7 @@ class SurfaceSampler {
   std::map<Edge, EdgeParts> edges_;
   std::vector<std::vector<Edge>> inner_segments_;
   std::vector<std::vector<VertexIndex>> inner_points_;
-  std::vector<double> vertex_size_;  // size at each vertex; negative if not yet evaluated
+  std::vector<double> vertex_size_;  // target size at each vertex; negative if not yet evaluated
   SampledComplex out_;
 };
 
@@ -280,7 +279,7 @@ std::vector<std::vector<Edge>> segments_by_facet(const PiecewiseLinearComplex& p
 
 /// Returns whether the facet is so thin that rounding may change it.
 bool is_thin(const PiecewiseLinearComplex& plc, Index f) {
-  constexpr double least_width = 1e-6;  // twice the area over the squared longest edge
+  constexpr double least_width = 1e-6;  // twice the area of a facet over its squared longest edge
   const auto loop = plc.outer_loop(f);
   double longest = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)

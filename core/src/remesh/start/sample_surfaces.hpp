@@ -19,8 +19,9 @@ namespace geomesh::remesh {
 
 /// Parts of the complex to which no points are added.
 struct WholeParts {
-  std::set<std::array<VertexIndex, 2>> edges;  ///< edges that get no points, lower vertex first
-  std::set<Index> facets;                      ///< facets (before merging) that get no inner points
+  std::set<std::array<VertexIndex, 2>>
+      edges;               ///< edges of the complex that get no points, each with its lower vertex first
+  std::set<Index> facets;  ///< facets (before merging) that get no inner points
 
   std::size_t size() const { return edges.size() + facets.size(); }
 };
@@ -29,7 +30,7 @@ struct WholeParts {
 struct SampledComplex {
   PiecewiseLinearComplex plc;
   std::vector<Index> segment;  ///< for each segment, the original segment of which it is a piece
-  /// The edge of each new point on an edge; the list starts at the first of these points.
+  /// For each point that was added on an edge of the original complex, the ends of that edge.
   std::vector<std::array<VertexIndex, 2>> edge_of_point;
 };
 

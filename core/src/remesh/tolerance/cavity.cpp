@@ -12,8 +12,7 @@ void add_spoke(StarCavity& cavity, const Triangle& f, VertexIndex apex, Index fa
   cavity.spokes.push_back({f[(k + 1) % 3], f[(k + 2) % 3], facet});
 }
 
-/// Adds the edges of curves at v: to vertices of its constrained faces or, for curves inside a region, to any
-/// neighbour.
+/// Adds the edges of curves at v: to vertices of its constrained faces or, for curves in a region, to any neighbour.
 void add_curves(const DomainMesh& mesh, VertexIndex v, StarCavity& cavity) {
   if (mesh.kind(v) > VertexKind::curve) return;
   auto& asked = cavity.neighbours_asked;  // neighbours of v that were examined
@@ -52,8 +51,8 @@ EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<Ce
   EdgeFaces faces;
   const std::size_t n = cells.size();
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    // Face (a, b, ring[k]) is opposite ring[k + 1] in cell k; the last of an open ring is opposite ring[n - 1] in cell
-    // n - 1.
+    // In the ring of cells around the edge (a, b), the face (a, b, ring[k]) is opposite vertex ring[k + 1] of cell k;
+    // the last face of an open ring is opposite ring[n - 1] in cell n - 1.
     const bool last = !closed && k == n;
     const CellIndex c = last ? cells[n - 1] : cells[k];
     const VertexIndex opposite = last ? ring[n - 1] : ring[(k + 1) % ring.size()];
@@ -136,8 +135,8 @@ void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex
   work.added.clear();
   for (std::size_t k = 0; k < cavity.link.size(); ++k) {
     const LinkFace& f = cavity.link[k];
-    // face_vertices[3] is (0, 1, 2): the base. The face with the apex and the base's edge (i, i + 1) is opposite vertex
-    // i + 2.
+    // The link face is the base of the new cell (vertices 0, 1, 2), the apex its vertex 3. The face with the apex and
+    // the edge (i, i + 1) of the base is opposite vertex i + 2 of the base.
     NewCell n{{f.vertices[0], f.vertices[1], f.vertices[2], apex}, f.component, {}};
     if (k < shapes.size()) n.shape = shapes[k];
     for (unsigned i = 0; i < 3 && !cavity.spokes.empty(); ++i) {

@@ -35,7 +35,7 @@ struct Spoke {
   Index facet;
 };
 
-/// An edge (apex, a) of a curve.
+/// An edge of a curve from the apex of a cavity's star to another vertex `a` of the star.
 struct CurveSpoke {
   VertexIndex a;
   Index curve;
@@ -130,11 +130,11 @@ bool swallows_constraint(const DomainMesh& mesh, Workspace& work, std::span<cons
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,
                     std::span<const double> shapes = {});
 
-/// The constrained faces at an edge (a, b): positions k in its ring of vertices with a constrained face (a, b,
-/// ring[k]).
+/// The constrained faces at an edge (a, b): indices k in its ring of vertices for which (a, b, ring[k]) is one.
 struct EdgeFaces {
   std::array<std::size_t, 2> at{};  ///< the first two
-  /// Tags of the first two constrained faces, seen from the cell after each in the ring (or from the last cell).
+  /// For each of the first two constrained faces at the edge, its tag in the cell after the face in the ring of cells
+  /// (in the last cell, if no cell follows).
   std::array<FaceTag, 2> tag{};
   std::size_t n = 0;
 };

@@ -51,7 +51,7 @@ class FlatPatches {
 
  private:
   struct Plane {
-    Vec3 normal{};  ///< unit normal; zero if the patch is not flat
+    Vec3 normal{};  ///< unit normal of the patch's plane; zero if the patch is not flat
     Vec3 point{};
   };
   bool is_in_plane(const SurfaceFace& f) const;

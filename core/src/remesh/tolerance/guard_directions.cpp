@@ -29,17 +29,18 @@ bool SurfaceGuard::are_turned_alike(Index patch, const std::vector<SurfaceFace>&
   return true;
 }
 
-/// Returns whether no new face turns away from the reference. If curves are kept, new faces have the same border as the
-/// removed ones and wind around it in the same way. If the reference is a single smooth layer over each new face, no
-/// new face is steep to it, and all are oriented to the same side of it, this is also the side of the removed faces. In
-/// this case the directions need not be computed.
+/// Returns whether no new face turns away from the reference surface. If curves are kept, new faces have the same
+/// border as the removed ones and wind around it in the same way. If the reference surface is a single smooth layer
+/// over each new face, no new face is steep to it, and all are oriented to the same side of it, this is also the side
+/// of the removed faces. In this case the directions need not be computed.
 bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                                    const std::vector<Index>& over, bool curves_stay) const {
   constexpr double least_cosine = 0.2;  // 78 degrees
   struct Direction {
     Index patch;
     bool is_that_of_sheet = false;
-    double sum = 0, least = least_cosine;  // sum and least of cosines between removed faces and reference
+    // sum and least of the cosines between normals of removed faces and of the reference
+    double sum = 0, least = least_cosine;
   };
   std::vector<Direction> directions;
   const auto direction_of = [&](Index patch) -> const Direction& {

@@ -223,7 +223,8 @@ bool SurfaceGuard::samples_near(Index patch, const Box3& box, const std::vector<
       if (!near || !contains(box, p)) return;
       const double limit = share_about({&p, 1}) * tolerance_;
       if (new_faces.is_near(p, limit) || others.is_near(p, limit)) return;
-      near = !old_faces.is_near(p, limit);  // samples near removed faces must be near the new ones
+      // a sample of the original surface near the removed faces must be near the new faces
+      near = !old_faces.is_near(p, limit);
     });
   });
   return near;
@@ -264,7 +265,7 @@ bool SurfaceGuard::corners_on(const std::vector<SurfaceFace>& before, const std:
              squared_distance(p, search::closest_on_triangle(p, a, b, c)) <= rounding_ * rounding_;
     });
   };
-  const Vec3* last = nullptr;  // first corner of the previous face, known to be on the surface
+  const Vec3* last = nullptr;  // first corner of the face examined before, found to be on a removed face
   return std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) {
     return std::all_of(f.corners.begin(), f.corners.end(), [&](const Vec3& p) {
       if (last && *last == p) return true;

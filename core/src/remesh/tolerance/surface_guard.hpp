@@ -37,8 +37,8 @@ namespace geomesh::remesh {
 struct Hold {
   /// Share of the tolerance that samples may use, so that the final proof seldom fails or has to subdivide faces.
   double margin = 0.7;
-  std::vector<TightZone> zones;  ///< smaller tolerances apply in these zones
-  unsigned run = 0;              ///< number of the run, from 0; earlier runs had larger tolerances
+  std::vector<TightZone> zones;  ///< zones in which a smaller tolerance applies
+  unsigned run = 0;              ///< number of this run of refinement, from 0; earlier runs had larger tolerances
   /// Reference surfaces, by patch; null: the triangles of the input. Reference curves are always those of the input.
   std::shared_ptr<const search::ReferenceSurfaces> surfaces = nullptr;
 };
@@ -46,9 +46,9 @@ struct Hold {
 class SurfaceGuard {
  public:
   SurfaceGuard() = default;
-  /// Distances are measured from hold.surfaces (if null, from the faces of `given`) and from the curves that `mesh` has
-  /// at this time. Both meshes have the same surfaces, but `mesh` may have more points, and lacks the edges between
-  /// coplanar pieces of a facet. The planes of patches are those of the facets of `plc`.
+  /// Distances are measured from the surfaces in `hold` (if null, from the faces of `given`) and from the curves that
+  /// `mesh` has at construction. `given` and `mesh` have the same surfaces, but `mesh` may have more points, and lacks
+  /// the edges between coplanar pieces of a facet. The planes of patches are those of the facets of `plc`.
   SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour,
                LocalTolerance tolerance, const Hold& hold = {});
 
@@ -56,11 +56,11 @@ class SurfaceGuard {
   /// Returns a distance that may be caused by rounding alone.
   double rounding() const { return rounding_; }
 
-  /// Returns the direction in which a vertex on a patch may not move: the normal of the reference near p.
+  /// Returns the direction in which a vertex on a patch may not move: the normal of the reference surface near p.
   Vec3 normal(Index patch, const Vec3& p) const;
   /// Returns whether the original of the patch lies in one plane. Not for exact mode.
   bool is_flat(Index patch) const { return flat_.is_flat(patch); }
-  /// Returns the normal of the reference at p, whose nearest facet is given.
+  /// Returns the normal of the reference surface at p; `facet` is the facet of that surface nearest to p.
   Vec3 normal_of(Index facet, const Vec3& p) const { return given_->normal(facet, p); }
   /// Projects p to the patch; in exact mode to the facet's plane, without rounding if this is normal to an axis.
   Vec3 project_to_patch(Index patch, const Vec3& p) const;
@@ -78,7 +78,7 @@ class SurfaceGuard {
   /// plane, so cells with all corners on the plane may be positive and do not reveal a fold.
   bool keeps_sides(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
-  /// Returns whether the whole face is proven to be within the tolerance of the reference.
+  /// Returns whether the whole face is proven to be within the tolerance of the reference surface.
   bool is_proven_near_reference(const SurfaceFace& f) const;
 
   /// Returns the largest distances of the faces and curves of the mesh from the references, and in the other direction.
@@ -94,38 +94,37 @@ class SurfaceGuard {
   };
   /// Returns the smallest share of the tolerance that applies near the given points.
   double share_about(std::span<const Vec3> points) const;
-  /// Returns whether the angle between each new face and the reference is small, or no larger than for removed faces.
-  /// `over` has the result of is_proven_within for each new face; `curves_stay` is true if removed and new faces have
-  /// the same border.
+  /// Returns whether the angle between each new face and the reference surface is small, or no larger than for removed
+  /// faces. `over` has the result of is_proven_within for each new face; `curves_stay` is true if removed and new faces
+  /// have the same border.
   bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                        const std::vector<Index>& over, bool curves_stay) const;
-  /// Returns whether the reference is a single smooth layer over each of the patch's faces (`over`), and all of these
-  /// are oriented to the same side of it.
+  /// Returns whether the reference surface is one smooth layer over the patch's faces (`over`), and these are on one
+  /// side of it.
   bool are_turned_alike(Index patch, const std::vector<SurfaceFace>& faces, const std::vector<Index>& over) const;
-  /// Returns the cosine between the normals of a face and of the reference nearest to its centroid; 1 for zero area.
+  /// Returns the cosine between the normals of a face and of the nearest reference surface; 1 for a face without area.
   double direction_cosine(const SurfaceFace& f) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
   /// Returns whether the whole face is proven to be within the limit (times the local share of the tolerance) of the
-  /// reference. `over` receives a facet of the reference if the reference is a single smooth layer over the whole face,
-  /// and no_index otherwise.
+  /// reference surface. `over` receives a facet of that surface if it is a single smooth layer over the whole face, and
+  /// no_index otherwise.
   bool is_proven_within(const SurfaceFace& f, double limit, Index& over) const;
-  /// Returns whether the reference near the removed faces is near to the new faces. If the reference there is nearly
-  /// the graph of a function over a plane, and the new faces have the same border as the removed ones and are near to
-  /// the reference, they cover it as seen along the normal of the plane, because their border winds once around each of
-  /// its points. So the reference is equally near to the new faces, apart from the effect of its slope, and no samples
-  /// are needed.
+  /// Returns whether the reference surface near the removed faces is near to the new faces. If it is nearly the graph
+  /// of a function over a plane there, and the new faces have the same border as the removed ones and are near to it,
+  /// they cover it as seen along the normal of the plane, because their border winds once around each of its points. So
+  /// the surface is equally near to the new faces, apart from the effect of its slope, and no samples are needed.
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
   bool samples_near(Index patch, const Box3& box, const std::vector<SurfaceFace>& before,
                     const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const;
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
 
-  /// Returns whether each new corner is within rounding of a removed face.
+  /// Returns whether each corner of the new faces is on a removed face, up to rounding.
   bool corners_on(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
   Honour honour_ = Honour::exact;
   double rounding_ = 0;   // a distance that may be caused by rounding alone
-  double tolerance_ = 0;  // largest permitted distance of a sample from the other surface
+  double tolerance_ = 0;  // largest permitted distance of a sample of input or result from the other
   std::vector<TightZone> zones_;
   search::ClosestPointTrees zone_boxes_;  // search tree of boxes in which smaller tolerances apply
   mutable tbb::enumerable_thread_specific<search::RecentPlaces> recent_{search::RecentPlaces(1)};  // of allowed_
@@ -135,7 +134,7 @@ class SurfaceGuard {
   std::vector<bool> oriented_;  // for each patch, whether its reference faces are consistently oriented
   std::shared_ptr<const search::ReferenceSurfaces> given_;  // the faces
   search::TriangleSurfaces given_curves_;
-  FlatPatches flat_;  // planar patches of the reference, if it consists of triangles
+  FlatPatches flat_;  // planar patches of the reference surface, if it consists of triangles
 };
 
 /// Returns deterministic sample points of a triangle: corners, edge midpoints, centroid and six more.

@@ -37,8 +37,8 @@ std::vector<std::size_t> in_order(const Items& items) {
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
 struct Difference {
-  std::vector<std::size_t> same;        ///< for each item of the second list, its index in the first, or no_row
-  search::ClosestPointTrees exchanged;  ///< items that are in only one of the two lists
+  std::vector<std::size_t> same;        ///< index of each face or edge of the second list in the first, or no_row
+  search::ClosestPointTrees exchanged;  ///< pieces (faces or curve edges) that only one of the two lists contains
 };
 
 Difference difference(const Items& first, const Items& second, std::size_t n_groups) {
@@ -83,7 +83,7 @@ KnownCovers known_covers(const Items& before, const Items& now, std::size_t n_gr
   return known;
 }
 
-/// The surfaces whose pieces must be near other surfaces, and these other surfaces.
+/// A verification: each piece of the surfaces `judged` must be near the surfaces `set`.
 struct Judgement {
   const search::ReferenceSurfaces &judged, &set;
   Breach kind;
@@ -94,7 +94,7 @@ struct Judge {
   unsigned threads;
   std::vector<Breach>& breaches;  ///< receives pieces not proven to be within the tolerance
 
-  /// Stores in `covers` how far each piece is from the other model, as in `known` if possible. Returns the largest.
+  /// Stores how far each piece is from the other model (distances in `known` are kept), and returns the largest.
   double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
     const Items& items = what.judged.pieces();
     const double deviation = what.judged.deviation_of_pieces();

@@ -21,16 +21,16 @@ search::TriangleSurfaces curves_of(const DomainMesh& mesh);
 /// A piece of the input or of the result that is not proven to be within the tolerance of the other model.
 struct Breach {
   Vec3 place{};
-  double distance = 0;     ///< distance at `place`; within the tolerance if only the proof failed
+  double distance = 0;     ///< distance of `place` from the other model; within the tolerance if only the proof failed
   Index group = no_index;  ///< patch of a face, or class of a curve edge
-  Index facet = no_index;  ///< facet of the input; none for curves
+  Index facet = no_index;  ///< facet of the input at a face; none for a curve edge
   bool on_curve = false;
   bool of_input = false;  ///< whether this piece belongs to the input, not to the result
 };
 
 struct Deviations {
-  /// Largest distances found, which are lower bounds of the true distances and nearly attain them. If there are no
-  /// breaches, the true distances are within the tolerance.
+  /// Largest distances found between the surfaces of result and input. They are lower bounds of the true distances and
+  /// nearly attain them. If `breaches` is empty, the true distances are within the tolerance.
   double result_to_input = 0, input_to_result = 0;
   /// Faces and curve edges not proven to be within the tolerance of the other model. If there are none, all are proven.
   std::vector<Breach> breaches;

@@ -101,9 +101,9 @@ struct ArrangementOptions {
   /// with a warning, as are parts of one fault. In both cases faults move to edges of the volume that they run along,
   /// and thin voids are closed.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
-  /// For each surface, the number of the part to which each of its triangles belongs. A surface without an entry, or
-  /// with an empty one, is a single part. Rules may remove one part of a surface and keep another, so a facet that
-  /// stands for several parts names them all.
+  /// For each surface, the part (such as a fault block or a continuation) to which each of its triangles belongs, by
+  /// number. A surface without an entry, or with an empty one, is a single part. Rules may remove one part of a surface
+  /// and keep another, so a facet that stands for several parts names them all.
   std::vector<std::vector<Index>> parts;
   /// For each surface, the ascending rows of its walls: the surfaces at which its continuations (parts 1, 2, ...) end.
   /// Facets that walls separate from the original surface (part 0) are removed before any merging. Surfaces without an

@@ -71,7 +71,7 @@ struct CheckResult {
 /// linear in the number of cells, plus that of surface triangles.
 CheckResult check_mesh(const CheckRequest& request);
 
-/// Describes the result of a check for a person: counts, what was checked, one line for each fault, and the verdict.
+/// Describes the result of a check for a person: counts, what was checked, one line for each defect, and the verdict.
 std::string to_text(const CheckResult& result);
 /// Returns the result of a check as JSON: the members of CheckResult under their own names, and "passes".
 std::string to_json(const CheckResult& result);

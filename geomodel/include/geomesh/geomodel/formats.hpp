@@ -21,7 +21,7 @@ struct FormatHolds {
   bool curves = false;       ///< whether the format holds the edges or the nodes of curves under their names
   bool overlapping = false;  ///< whether a face of the mesh can belong to several groups
   bool names = true;  ///< whether the mesh file itself has names, so that they are not only in the JSON file beside it
-  bool partitions = false;       ///< whether a mesh can be divided into parts with one file each
+  bool partitions = false;       ///< whether the format can hold a mesh divided into parts, with one file each
   bool triangles_alone = false;  ///< whether a mesh of triangles without tetrahedra can be written
 };
 
@@ -35,7 +35,8 @@ struct Format {
   std::vector<std::filesystem::path> (*write)(const ModelMesh& mesh, const WriteOptions& options,
                                               const std::filesystem::path& stem);
   RawMesh (*read)(const std::filesystem::path& file);  ///< null: not read
-  /// Writes a starter input of the solver beside the existing mesh files with this stem. Null if the format has none.
+  /// Function that writes a starter input file of the format's solver beside existing mesh files, whose path without
+  /// extension is `stem`. Null if the format has no starter input.
   std::filesystem::path (*starter)(const ModelMesh& mesh, const std::filesystem::path& stem) = nullptr;
   /// Rounds a coordinate as writing it to a file of this format does; null if files hold the same double.
   double (*rounded)(double coordinate) = nullptr;

@@ -44,7 +44,7 @@ FileContents given_polyline(std::string name, std::vector<Vec3> points);
 /// Heights at the nodes of a regular grid.
 struct GivenGrid {
   std::size_t n_rows = 0, n_columns = 0;
-  std::span<const double> heights;  ///< height of each node at index row * n_columns + column; NaN if the node has none
+  std::span<const double> heights;  ///< height of the grid node at index row * n_columns + column; NaN if it has none
   Vec2 origin;                      ///< position of the grid node in row 0, column 0
   Vec2 spacing;         ///< distances between columns along x and between rows along y, before the rotation; positive
   double rotation = 0;  ///< rotation of the grid about its origin in degrees, counter-clockwise

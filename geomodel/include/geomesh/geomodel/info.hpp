@@ -27,9 +27,9 @@ struct SurfaceInfo {
   std::size_t n_misoriented_edges = 0;   ///< number of edges whose two triangles traverse them in the same direction
   std::size_t n_degenerate = 0;          ///< number of triangles whose area is exactly zero
   std::size_t n_repeated = 0;            ///< number of triangles with the same three vertices as an earlier triangle
-  std::size_t n_holes = 0;               ///< number of borders except for the longest border of each piece
-  bool closed = false;  ///< whether the surface has no border: every edge has an even number of triangles
-  double volume = 0;    ///< enclosed volume, if the surface is closed and consistently oriented
+  std::size_t n_holes = 0;  ///< number of borders without the longest border of each connected component of the surface
+  bool closed = false;      ///< whether the surface has no border: every edge has an even number of triangles
+  double volume = 0;        ///< enclosed volume, if the surface is closed and consistently oriented
   /// A place on a border of the surface, and a place on an edge with more than two triangles.
   Vec3 border_place, non_manifold_place;
 };

@@ -46,7 +46,8 @@ enum class OnCrossing {
 
 /// The triangles of a horizon that come from one scalar field, and the domain in which that field is valid.
 struct FieldPart {
-  Index end = 0;  ///< One past the row of the part's last triangle. The part begins at the end of the previous part.
+  /// One past the row of this field's last triangle in the horizon. Its first one follows the previous field's last.
+  Index end = 0;
   /// Names of faults, each with true if the field is valid above the fault and false if it is valid below.
   std::vector<std::pair<std::string, bool>> sides;
   std::optional<Vec3> block;  ///< a point in the fault block in which the scalar field is valid
@@ -78,8 +79,8 @@ struct SurfaceRules {
   /// Each piece is extended beyond these faults (by the rule `extend`, flat if none is given); then whatever lies on
   /// the other side of a fault is removed.
   std::vector<std::string> throw_at;
-  /// Whether find_ramps adds faults to throw_at of this horizon. If throw_at is still empty after that, the horizon is
-  /// continued to the walls of its fault blocks.
+  /// Whether find_ramps adds faults to throw_at, the faults that displace this horizon. If throw_at is still empty
+  /// after that, the horizon is continued to the walls of its fault blocks.
   bool throw_auto = false;
   /// For horizons with fault polygons: whether faults that pass through the polygons are added to throw_at, if the
   /// project lists no faults for the horizon.
@@ -166,12 +167,14 @@ struct BuiltRows {
   /// For each surface, the rows of the faults that divide it into blocks: those of throw_at across which it is not
   /// continued.
   std::vector<std::vector<Index>> parted_at;
-  /// For each surface and block, whether the block is above each fault of parted_at. Empty for surfaces without blocks.
+  /// For each surface and each of its fault blocks: whether the block lies above each fault that divides the surface
+  /// (parted_at). Empty for surfaces without blocks.
   std::vector<std::vector<std::vector<bool>>> sides_of_block;
-  /// For each surface, fault block, and fault of parted_at: whether the scalar field of the block is valid on both
-  /// sides of the fault. Empty for surfaces without fields that are restricted to certain sides of faults.
+  /// For each surface, each of its fault blocks, and each fault that divides the surface (parted_at): whether the
+  /// scalar field of the block is valid on both sides of the fault. Empty for surfaces without fields that are
+  /// restricted to certain sides of faults.
   std::vector<std::vector<std::vector<bool>>> on_both_sides;
-  /// Returns whether the block extends to both sides of the k-th fault of parted_at.
+  /// Returns whether the field of a fault block is valid on both sides of the k-th fault that divides the surface.
   bool is_on_both_sides(Index surface, Index block, std::size_t k) const {
     return surface < on_both_sides.size() && !on_both_sides[surface].empty() && on_both_sides[surface][block][k];
   }

@@ -42,7 +42,8 @@ struct ProjectRequest {
   std::optional<std::filesystem::path> directory;  ///< output directory, which overrides the project's output.directory
   std::optional<std::filesystem::path> report;     ///< path to which a second copy of the report is written
   std::string stop_after;                          ///< stage after which the run stops; if empty, it runs to the end
-  /// Whether the job writes files. With `kept` it writes none, and `directory` and `report` are ignored.
+  /// Whether the command writes its output files (`written`) or only returns its results (`kept`). With `kept`,
+  /// `directory` and `report` are ignored.
   enum class Outputs { written, kept } outputs = Outputs::written;
 };
 /// Runs `geomesh PROJECT.yaml`. Throws as the functions that it calls; nothing is written before the mesh has been

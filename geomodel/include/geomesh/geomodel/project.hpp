@@ -71,8 +71,8 @@ struct SurfaceSpec {
   SurfaceRules rules;  ///< rules in the keys `extend`, `fill_holes`, `extent` and `base` of a surface
   int line = 0;        ///< line in the project file at which the surface or well begins, from 1
 
-  /// Returns false if the surface is known to be of another kind. A surface whose kind was not recognised may be of any
-  /// kind, so that one mistake causes only one message.
+  /// Returns false if the surface is known to be of another kind than `wanted`. A surface whose kind was not recognised
+  /// may be of any kind, so that one mistake causes only one message.
   bool may_be(SurfaceKind wanted) const { return kind == wanted || kind == SurfaceKind::surface; }
 };
 

@@ -56,7 +56,7 @@ struct Report {
   const ArrangementResult* arrangement = nullptr;
   const ToleranceLedger* tolerance = nullptr;
   const ModelMesh* mesh = nullptr;
-  const SettledStack* stack = nullptr;  ///< horizons after they were put in order in the map; null if they were not
+  const SettledStack* stack = nullptr;  ///< horizons after they were put in depositional order; null if they were not
   std::span<const ContinuedSurface> continued{};  ///< surfaces that were continued to the surfaces that bound them
   std::vector<std::string>
       /// Names of the input surfaces followed by the sides of the box, for areas and places in the report; if empty,

@@ -32,7 +32,7 @@ TriangulatedSurface extrude_lines(const std::vector<Polyline>& lines, const Extr
 
 struct BelowSurface {
   TriangulatedSurface surface;
-  std::size_t n_without = 0;   ///< number of vertices of the upper surface at which no thickness is known
+  std::size_t n_without = 0;   ///< number of vertices of the surface above, at which no thickness below it is known
   std::size_t n_negative = 0;  ///< number of vertices with a negative thickness, which is taken as zero
   double least = 0, most = 0;  ///< thickness taken
 };

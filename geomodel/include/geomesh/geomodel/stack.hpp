@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The settled stack: the horizons of the stratigraphic column after they were put in order and too thin layers were
-/// removed, in the map, before anything is intersected.
+/// The settled stack: the horizons of the stratigraphic column after they were put in depositional order and too thin
+/// layers were removed, on the map, before anything is intersected.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// Whether the horizons of the stratigraphic column are put in order in the map before they are intersected.
+/// Whether the horizons of the stratigraphic column are put in depositional order before they are intersected.
 enum class StackRule { automatic, keep };
 
 struct StackRules {
@@ -28,11 +28,11 @@ struct StackRules {
 /// Share of the tolerance that ordering and simplifying the horizons may use; remeshing uses the rest.
 inline constexpr double stack_share = 0.5;
 
-/// Largest distance from the input of horizons that were put in order, as a share of the local target size. If a thin
-/// unit determines that size, this is about a quarter of the unit's thickness.
+/// Largest distance from the input of horizons that were put in depositional order, as a share of the local target
+/// size. If a thin unit determines that size, this is about a quarter of the unit's thickness.
 inline constexpr double stack_tolerance_of_size = 0.02;
 
-/// One horizon after horizons were put in order. Areas in the map, m2; lengths along the vertical, m.
+/// One horizon, as changed by putting horizons in depositional order. Map areas in m2; lengths along the vertical, m.
 struct SettledHorizon {
   std::string name;
   std::size_t n_triangles_given = 0, n_triangles = 0;
@@ -52,7 +52,7 @@ struct SettledHorizon {
   Vec3 place_at_faults;
 };
 
-/// One unit between two horizons after horizons were put in order.
+/// One unit between two horizons, after the horizons were put in depositional order.
 struct SettledUnit {
   std::string name, top, base;
   double area = 0;         ///< map area over which the unit is present

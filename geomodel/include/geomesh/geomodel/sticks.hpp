@@ -17,7 +17,7 @@ struct SurfaceOfSticks {
   std::size_t n_sticks = 0;
   std::size_t n_gaps = 0;    ///< number of pairs of neighbouring sticks farther apart than max_distance
   std::size_t n_folded = 0;  ///< number of inverted triangles, which arise if sticks cross or double back
-  Vec3 fold;                 ///< a point on the first inverted triangle
+  Vec3 fold;                 ///< a point on the first inverted triangle, where sticks of the fault cross or double back
 };
 
 /// Interpolates a fault surface between sticks. Neighbouring sticks are joined by triangles, each time along the

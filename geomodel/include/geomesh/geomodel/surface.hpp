@@ -49,8 +49,8 @@ struct NamedPoint {
 /// mesh with this name is found by a point inside.
 struct RegionHint {
   std::string name;
-  /// One triangle of the region's boundary: its surface, its row there, and whether it has the stored orientation or
-  /// the reverse. The normals of the oriented triangles point out of the region.
+  /// One triangle of the region's boundary: its surface, its row in the surface, and whether it has the stored
+  /// orientation or the reverse. The normals of the oriented triangles point out of the region.
   struct OrientedTriangle {
     Index surface, triangle;
     bool as_stored;
@@ -88,13 +88,13 @@ struct GridSummary {
 /// The contents of one input file.
 struct FileContents {
   std::string format;  ///< name of the format: "GOCAD TSurf", "OFF", ...
-  SourceFrame frame;   ///< unit and axes of the first object; a warning says so if other objects differ
+  SourceFrame frame;   ///< unit and axes of the file's first object; a warning says so if its other objects differ
   std::vector<TriangulatedSurface> surfaces;
   std::vector<Polyline> polylines;
   std::vector<NamedPoint> points;
   std::vector<PointSet> point_sets;
   std::vector<RegionHint> regions;
-  std::vector<GridSummary> grids;  ///< descriptions of the surfaces that were grids
+  std::vector<GridSummary> grids;  ///< descriptions of the grids of heights that were converted to surfaces
   /// Names of the properties of points or triangles that the file holds; they are ignored.
   std::vector<std::string> arrays;
   /// Notes on how the file was interpreted (z negated because it is depth, unit ft, ...).

@@ -20,7 +20,7 @@ struct ToleranceUse {
   /// Upper bound of how far the stage moved surfaces, which later stages must allow for. It is subtracted from the
   /// remaining tolerance, unless a separate key of the project allowed the movement.
   double taken = 0;
-  /// Set if the key `merge_within` allowed the movement, which is then not part of the tolerance.
+  /// Whether the key `merge_within` allowed this movement of surfaces, which is then not part of the tolerance.
   bool by_own_key = false;
   /// Largest movement of a surface that was measured; empty if the stage only proves an upper bound.
   std::optional<double> moved{};
@@ -55,8 +55,8 @@ class ToleranceLedger {
   void follow_size(double largest);
   /// Records the tolerance that a stage used. Throws InternalError if it used more than is left.
   void take(ToleranceUse use);
-  /// Restricts the tolerance of the following stages to this share of the target size at each place, if that is less
-  /// than before. The length left() remains the limit everywhere.
+  /// Restricts the tolerance of the following stages to a share of the target size at each place, if that is less than
+  /// before. The length left() remains the limit everywhere.
   void limit_share(double share);
   /// Sets the remaining tolerance after all target sizes were scaled: `left` is its length for the new sizes.
   void rescale_left(double left) { left_ = left; }

@@ -60,7 +60,7 @@ std::optional<Vec3> place_on_path(const std::vector<Vec3>& path, double depth, b
 /// times triangles, and the cube of the number of tops.
 void fit_to_tops(TriangulatedSurface& horizon, std::span<FittedTop> tops, double reach);
 
-/// Returns the height of a place minus that of the nearest triangle above or below it; NaN if there is none.
+/// Returns a well top's height minus that of the horizon's nearest triangle above or below it; NaN if there is none.
 double misfit_of(const Vec3& place, std::span<const Vec3> points, std::span<const Triangle> triangles);
 
 }  // namespace geomesh::geomodel

@@ -25,7 +25,7 @@ std::vector<DirectedEdge> edges_of(const std::vector<Triangle>& triangles) {
   return edges;
 }
 
-/// Calls visit(begin, end) for each undirected edge.
+/// Calls visit(begin, end) for each run of sorted directed edges that have the same two ends.
 template <typename Visit>
 void for_each_edge(const std::vector<DirectedEdge>& edges, Visit&& visit) {
   for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {

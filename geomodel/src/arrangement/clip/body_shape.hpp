@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A body, prepared for winding numbers.
+/// A body, prepared for computing winding numbers around points.
 struct BodyShape {
   Index surface = no_index;
   /// Consistently oriented triangles over the complex' points, one for each input triangle.

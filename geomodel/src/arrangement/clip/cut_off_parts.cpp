@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// The facets of one surface; a facet that several of its triangles share is counted once for each of them.
+/// The facets of one surface; a facet that several triangles of the surface share is counted once for each of them.
 class PartFacets {
  public:
   PartFacets(const FacetsWithOrigins& of, const SurfaceInParts& in) : of_(of), in_(in) {
@@ -94,7 +94,7 @@ class PartFacets {
   const FacetsWithOrigins& of_;
   const SurfaceInParts& in_;
   std::vector<Index> facets_;    ///< ascending
-  std::vector<Index> first_;     ///< for each facet: where its entries in `triangle_` begin
+  std::vector<Index> first_;     ///< for each facet in facets_: index of its first entry in triangle_
   std::vector<Index> triangle_;  ///< of the surface
   UnionFind joined_{0};
   std::vector<Index> here_;

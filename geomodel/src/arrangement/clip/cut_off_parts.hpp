@@ -18,7 +18,7 @@ namespace geomesh::geomodel::arrangement {
 /// Facets of an arrangement and their edges. Holds references, which must stay valid.
 struct FacetsWithOrigins {
   std::span<const Triangle> facets;
-  const std::vector<EdgeUse>& uses;  ///< uses of edges by all facets, sorted
+  const std::vector<EdgeUse>& uses;  ///< edges of all facets, each with a facet at it, sorted
   std::function<std::span<const PolygonSoup::Origin>(Index)> origins_of;
 };
 
@@ -31,7 +31,7 @@ struct SurfaceInParts {
   const TriangulatedSurface& surface;
   Index row;                        ///< as in Origin::surface
   const std::vector<Index>& part;   ///< per triangle
-  const std::vector<Index>& walls;  ///< surfaces at which continuations of this one end, ascending
+  const std::vector<Index>& walls;  ///< surfaces at which the continuations of surface `row` end, ascending
   const LostParts& lost;            ///< removed parts of the surfaces in `walls`, at which no continuation ends
 };
 

@@ -8,7 +8,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Returns the body's triangles, oriented as in its shape.
+/// Returns the body's triangles in the consistent orientation of its BodyShape.
 std::vector<Triangle> turned_triangles(const TriangulatedSurface& body, const BodyShape& shape) {
   std::vector<Triangle> triangles = body.triangles;
   for (std::size_t t = 0; t < triangles.size(); ++t)

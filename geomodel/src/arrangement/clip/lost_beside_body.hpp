@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Facets of one surface, as indices in the arrangement.
+/// Facets of one surface, as indices in the arrangement's list of facets.
 struct CutOff {
   std::vector<Index> gone, left;  ///< the surface's facets that a body cut off, and those that were kept
 };

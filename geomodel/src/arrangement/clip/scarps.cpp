@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-// Fraction of the length of a topography's ends at a fault that may contradict the fault being a scarp.
+// Fraction of the length of a topography's ends at a fault that may contradict that the fault is a scarp.
 constexpr double least_share = 0.01;
 
 int number(Sign sign) { return sign == Sign::zero ? 0 : sign == Sign::positive ? 1 : -1; }
@@ -53,8 +53,8 @@ class FaultAtEnd {
     return *std::find_if(t.begin(), t.end(), [&](VertexIndex v) { return v != e.first && v != e.second; });
   }
 
-  /// Returns the fault's facets connected with `first` without crossing an edge of the topography or base, and stores
-  /// the orientation of each relative to `first`.
+  /// Returns the fault's facets connected with `first` across edges at which neither topography nor base lies, and
+  /// stores the orientation of each relative to `first`.
   std::vector<Index> take_piece(Index first) {
     std::vector<Index> piece{first};
     turned_[first] = 1;
@@ -103,7 +103,7 @@ class FaultAtEnd {
   const std::vector<Index>& facets_;
   const FacetsAtEdges& end_;
   FacetsAtEdges at_;
-  std::map<Index, int> turned_;  ///< orientation of each facet relative to the first one of its piece: 1 or -1
+  std::map<Index, int> turned_;  ///< orientation of facets relative to the first one of their piece of fault: 1 or -1
 };
 
 }  // namespace

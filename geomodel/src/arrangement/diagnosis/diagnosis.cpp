@@ -66,7 +66,7 @@ void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std:
   }
   std::map<Index, double> longest;
   for (const auto& [key, spot] : pieces) longest[key.first] = std::max(longest[key.first], spot.measure);
-  // Border pieces that are not closed curves, since they stop at another surface.
+  // Pieces of a surface's border that are not closed curves, since they stop at another surface.
   std::set<std::pair<Index, VertexIndex>> open;
   for (const auto& [vertex, n] : degree)
     if (n % 2 != 0) open.insert(root(vertex));

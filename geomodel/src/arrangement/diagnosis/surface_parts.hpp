@@ -10,8 +10,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Divides each surface into parts, bounded by edges at which other surfaces lie. If only one of those surfaces counts,
-/// parts that others separate are united again.
+/// Divides each surface into parts along its edges with other surfaces. To find what one of these surfaces cuts off,
+/// parts that only the others separate are united again.
 class SurfaceParts {
  public:
   /// Near-linear.
@@ -30,7 +30,7 @@ class SurfaceParts {
   UnionFind joined_;          ///< rows of soup.origins
   std::vector<double> area_;  ///< per representative
   std::vector<SharedEdge> shared_;
-  /// For each surface: indices in shared_ of its edges with other surfaces; its parts, ascending.
+  /// For each surface: indices in shared_ of its edges with other surfaces; and the indices of its parts, ascending.
   std::vector<std::vector<Index>> shared_of_, parts_of_;
 };
 

@@ -18,7 +18,7 @@ std::size_t rows_in_use(const Complex& complex) {
   return n;
 }
 
-/// Patches of the surfaces that may be merged, treated as if each were a surface of its own.
+/// Patches (edge-connected facets) of surfaces that may be merged, treated as if each were a surface of its own.
 class Patches {
  public:
   Patches(const Complex& complex, const std::vector<std::uint8_t>& may_join)

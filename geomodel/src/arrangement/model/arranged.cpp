@@ -163,7 +163,7 @@ class Clusters {
     for (const auto& m : members_) out[m.second] = 1;
     return out;
   }
-  /// Returns a cluster with the contacts on its facets; `contact_ends` are the end vertices of all contacts.
+  /// Returns a cluster of facets with the contacts on them; `contact_ends` are the end vertices of all contacts.
   ClusterInput input(std::size_t cluster, const Contacts& contacts,
                      const std::vector<std::array<Index, 2>>& contact_ends) const {
     ClusterInput input;
@@ -184,7 +184,7 @@ class Clusters {
   }
 
  private:
-  std::vector<std::pair<Index, Index>> members_;  ///< sorted (least facet index of a cluster, one of its facets)
+  std::vector<std::pair<Index, Index>> members_;  ///< pairs (least facet of a cluster, one of its facets), sorted
   std::vector<std::size_t> begin_;
 };
 
@@ -234,7 +234,7 @@ class Round {
     });
   }
 
-  /// Points made inside clusters are added in the clusters' order, and identified with other vertices at equal places.
+  /// Adds points made in clusters of overlapping facets, in the clusters' order, and unites vertices at equal places.
   void number_made_points() {
     std::vector<ExactPoint> made;
     std::vector<Vec3> rounded;

@@ -52,7 +52,7 @@ Arranged arrange_round(const Complex& complex, const Contacts& contacts, const R
 
 /// Coplanar facets that overlap, split into pieces together with all contacts on them.
 struct ClusterPieces {
-  static constexpr Index made_here = 0x80000000u;  ///< bit that is set in the indices of points in `made`
+  static constexpr Index made_here = 0x80000000u;  ///< bit that is set in facet corners that are indices in `made`
   std::vector<Triangle> facets;
   OriginLists origins;
   std::vector<ExactPoint> made;
@@ -60,7 +60,7 @@ struct ClusterPieces {
 };
 struct ClusterInput {
   std::vector<Index> members;  ///< facets, ascending
-  std::vector<Index> points;   ///< vertices on the facets that are not their corners
+  std::vector<Index> points;   ///< vertices on the cluster's facets other than the facets' corners
   struct Constraint {
     Index a, b;
     Line line;

@@ -21,7 +21,7 @@ using Origin = PolygonSoup::Origin;
 /// An edge or a well's segment, given by its ends, the smaller index first.
 using EdgeKey = std::pair<VertexIndex, VertexIndex>;
 inline EdgeKey edge_key(VertexIndex a, VertexIndex b) { return a < b ? EdgeKey{a, b} : EdgeKey{b, a}; }
-/// Returns the three edges of a triangle, each from a corner to the next.
+/// Returns the keys of a triangle's three edges; edge k connects corner k and the next.
 inline std::array<EdgeKey, 3> edges_of(const Triangle& t) {
   return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
 }
@@ -53,7 +53,7 @@ struct Complex {
 
 /// A facet that lost its area when its corners were rounded or merged, with the current places of its corners.
 struct VanishedFacet {
-  std::vector<Index> surfaces{};  ///< surfaces from which the facet stems; its loss is reported for the first one
+  std::vector<Index> surfaces{};  ///< surfaces of the facet; only for the first one, the loss of the facet is reported
   std::array<Vec3, 3> corners{};
 };
 

@@ -39,7 +39,7 @@ struct Line {
 /// A point or a segment in which a facet and another item meet; `ends` defines the point or the ends symbolically.
 struct FacetContact {
   Index facet = no_index;
-  Index other = no_index;  ///< the other facet, or no_index if a well or point touches `facet`
+  Index other = no_index;  ///< the facet that meets `facet`, or no_index if a well or point touches it
   Line line;
   std::array<Symbol, 4> ends;
   std::uint8_t n_ends = 0;

@@ -28,7 +28,7 @@ class MovesOfStep {
   double sum_ = 0;
 };
 
-/// Adds the largest movements of two steps. A point may move once per step, so the sum is an upper bound.
+/// Adds largest movements of two arrangement steps. A point may move once per step, so the sum is an upper bound.
 inline void add(const Displacement& more, Displacement& total) {
   if (more.largest > total.largest) total.where = more.where;
   total.largest += more.largest;

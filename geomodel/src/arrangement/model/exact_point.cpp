@@ -68,7 +68,7 @@ mpz_class ExactFrame::to_integer(double value) const {
   if constexpr (sizeof(long) >= sizeof mantissa)
     result = static_cast<long>(mantissa);
   else
-    result = static_cast<double>(mantissa);  // the conversion is exact, even if GMP's `long` has 32 bits
+    result = static_cast<double>(mantissa);  // GMP converts the integer in this double exactly, even with 32-bit `long`
   const int up = exponent + shift_;
   if (mantissa != 0) mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<mp_bitcnt_t>(up));
   return result;

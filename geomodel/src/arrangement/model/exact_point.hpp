@@ -55,7 +55,7 @@ bool equal(const ExactPoint& a, const ExactPoint& b);
 Sign exact_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, std::size_t i, std::size_t j);
 /// Returns the orientation of an exact point against the plane through three points, as geomesh::orient3d does.
 Sign exact_orient3d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
-/// Returns the sign of a[i] - b[i] for two exact points.
+/// Returns the sign of the difference a[i] - b[i] between coordinates i of two exact points.
 Sign compare_coordinate(const ExactPoint& a, const ExactPoint& b, std::size_t i);
 ExactPoint centroid(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
 

@@ -138,7 +138,7 @@ void PlanarTriangulation::insert_point(int p) {
   if (face_of_[p] != none) return;
   int face = none, index = none;
   const Place place = locate(p, face, index);
-  GEOMESH_CHECK(place != Place::on_vertex);  // points at equal places were merged before
+  GEOMESH_CHECK(place != Place::on_vertex);  // the caller has merged points at equal places
   if (place == Place::inside)
     split_face(face, p);
   else
@@ -295,7 +295,7 @@ int PlanarTriangulation::advance(int a, int b, int line) {
       legalize(crossed);
       return apex;
     }
-    // The constraint leaves face g through the edge between its apex and its corner on the constraint's other side.
+    // The segment leaves face g through the edge between g's apex and g's corner on the other side of the segment.
     e = index_of(g, s == Sign::positive ? left : right);
     f = g;
   }

@@ -33,25 +33,25 @@ class PlanarTriangulation {
     /// Edge i of a face is opposite v[i].
     std::array<int, 3> v, neighbour{none, none, none}, constraint{none, none, none};
   };
-  /// Makes the point where the lines of two constraints cross; the triangulation then adds it.
+  /// Makes the point where the lines of two constraints cross, which the triangulation then adds to itself.
   using Crossing = std::function<PlanarPoint(int line_a, int line_b)>;
 
   PlanarTriangulation(const ExactFrame& frame, std::size_t i, std::size_t j, Crossing crossing)
       : frame_(frame), i_(i), j_(j), crossing_(std::move(crossing)) {}
 
   int add_point(const PlanarPoint& p);
-  /// Creates the first face, which must be counter-clockwise and contain every later point.
+  /// Creates the triangulation's first face, which must be counter-clockwise and contain every later point.
   void start(int a, int b, int c);
   void insert_point(int p);
   /// Makes the segment a union of constrained edges with the label `line`.
   void insert_constraint(int a, int b, int line);
-  /// Constrains edges of the first face; to be called before anything else is inserted.
+  /// Constrains edges of the triangulation's first face; to be called before anything else is inserted.
   void constrain_border(const std::array<int, 3>& lines) { faces_[0].constraint = lines; }
 
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<PlanarPoint>& points() const { return points_; }
   Sign orient(int a, int b, int c) const;
-  /// Returns the vertices on the way from a to b along existing edges.
+  /// Returns the triangulation's vertices on the way from a to b along existing edges.
   std::vector<int> chain(int a, int b) const;
   /// Returns the face to the left of edge ab and the edge's index in that face; {none, none} on the border.
   std::pair<int, int> left_face(int a, int b) const;
@@ -61,7 +61,7 @@ class PlanarTriangulation {
   struct Stop {
     int vertex = none;
     bool is_edge = false;  ///< whether an edge from a to `vertex` exists
-    /// If no edge at a runs along the segment: the face at a that the segment crosses, and its edge opposite a.
+    /// The face at vertex a that the segment crosses, and its edge opposite a, if no edge at a runs along the segment.
     int face = none, edge = none;
   };
   Place locate(int p, int& face, int& index) const;
@@ -87,7 +87,7 @@ class PlanarTriangulation {
   Crossing crossing_;
   std::vector<PlanarPoint> points_;
   std::vector<Face> faces_;
-  std::vector<int> face_of_;  ///< for each point: a face around it; none before its insertion
+  std::vector<int> face_of_;  ///< for each point: a face of the triangulation at it; none before its insertion
   mutable int hint_ = 0;
   mutable unsigned turn_ = 0;
 };

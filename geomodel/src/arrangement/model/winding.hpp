@@ -18,7 +18,7 @@ struct RayDirection {
   bool up = true;
 };
 
-/// Closed oriented triangles, prepared for queries. Triangles without area are ignored.
+/// Closed oriented triangles, prepared for queries of winding numbers. Triangles without area are ignored.
 class WindingNumber {
  public:
   WindingNumber(std::span<const Vec3> points, std::vector<Triangle> triangles);

@@ -31,8 +31,8 @@ std::vector<Triangle> triangles_of(const Complex& complex, const std::vector<Fac
   return triangles;
 }
 
-/// Returns the corner of one wall that is farthest from the other, if all of the wall is proven to be within the
-/// distance.
+/// Returns the corner of one wall of a thin void that is farthest from the other wall, if all of this wall is proven to
+/// be within the distance.
 std::optional<Displacement> way_between(const Complex& complex, const std::vector<FacetSide>& wall,
                                         const SurfaceDistance& other, double distance) {
   Displacement way;
@@ -108,7 +108,7 @@ class PocketRound {
     ++done.n_pockets;
   }
 
-  /// Adds to a facet of the kept wall the surfaces of the nearest facet of the removed one, as if it had moved there.
+  /// Adds to a facet of a void's kept wall the surfaces of the removed wall's nearest facet, as if that had moved.
   void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes, const SurfaceDistance& goes) {
     const Triangle& t = complex_.facets[facet_of(stays)];
     const Vec3 middle = (1.0 / 3) * (complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]]);

@@ -45,7 +45,7 @@ bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 
   const auto side = [&](std::size_t k) { return length(t[(k + 1) % 3] - t[k]); };
   for (std::size_t k = 1; k < 3; ++k)
     if (side(k) > side(longest)) longest = k;
-  if (side(longest) <= distance / 16) return true;  // so small a triangle is decided by its corners, up to this error
+  if (side(longest) <= distance / 16) return true;  // a triangle this small counts as near if its corners are near
   const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3], middle = 0.5 * (a + b);
   return is_within({a, middle, c}, edges, distance, halvings - 1) &&
          is_within({middle, b, c}, edges, distance, halvings - 1);
@@ -54,10 +54,10 @@ bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 
 struct DanglingPiece {
   std::vector<Index> facets;
   std::vector<EdgeKey> hinge;
-  Displacement way;  ///< distance and place of the piece's corner farthest from the hinge
+  Displacement way;  ///< distance and place of the dangling piece's corner farthest from the edges that attach it
 };
 
-/// The facets of one surface at each edge.
+/// The facets of one surface, by the edges at which they lie.
 class SurfaceFacets {
  public:
   SurfaceFacets(const Complex& complex, const std::vector<Index>& facets) : complex_(complex) {
@@ -166,11 +166,11 @@ std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& 
 
 using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 
-/// The surfaces that meet a dangling piece at edges other than its hinge, where the piece belongs to no other surface.
+/// Other surfaces that meet a dangling piece, without containing it, at edges other than its hinge.
 struct Borne {
   /// Origin (input triangle) of a surface that ends on the dangling piece; `reversed` if their orientations differ.
   std::optional<Origin> ending;
-  /// Whether the surface that meets the dangling piece continues beyond it, or a second surface meets the piece.
+  /// Whether the surface that meets the dangling piece continues beyond it, or several surfaces meet the piece.
   bool by_others = false;
 };
 
@@ -181,7 +181,7 @@ struct Change {
 };
 using Changes = std::map<Index, Change>;  ///< by facet
 
-/// Returns whether a facet of the dangling piece, or one at its edges other than the hinge, is already in `changes`.
+/// Returns whether a facet of the dangling piece, or one at its edges other than the hinge, already loses a surface.
 bool is_beside_a_change(const FacetsAtEdges& at, const Changes& changes, const Complex& complex,
                         const DanglingPiece& piece) {
   for (const Index f : piece.facets)

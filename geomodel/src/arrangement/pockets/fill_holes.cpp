@@ -11,7 +11,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-/// Returns the origin (input triangle) that facet t receives from an adjacent surface, oriented as that continues.
+/// Returns the origin (input triangle) of an adjacent surface for facet t, oriented as t continues that surface.
 Origin origin_beside(const Complex& complex, const SurfaceEnd& end, const Triangle& t) {
   const auto of = complex.origins.of(end.facet);
   const Origin& own = *std::find_if(of.begin(), of.end(), [&](const Origin& o) { return o.surface == end.surface; });

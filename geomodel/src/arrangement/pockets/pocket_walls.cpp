@@ -80,7 +80,7 @@ std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) c
 /// Returns the parts of a shell, the facet sides around a closed space: a part consists of facets of the same surfaces,
 /// connected across edges to which nothing else is attached.
 std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<FacetSide>& shell) const {
-  const auto row = [&](Index facet) {  // index of a facet in `shell`, which is sorted by facet
+  const auto row = [&](Index facet) {  // index of a facet in `shell`, the sorted facet sides around a closed space
     return static_cast<Index>(
         std::lower_bound(shell.begin(), shell.end(), facet, [](FacetSide s, Index f) { return facet_of(s) < f; }) -
         shell.begin());
@@ -98,7 +98,7 @@ std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<Facet
   return all;
 }
 
-/// Returns whether a wall can be removed, because the vertices inside it belong to no other facet.
+/// Returns whether a wall of a thin void can be removed, because the vertices inside the wall belong to no other facet.
 bool WallSearch::can_go(const std::vector<FacetSide>& wall) const {
   std::vector<VertexIndex> corners, on_rim;
   for (const FacetSide s : wall)

@@ -18,7 +18,7 @@ VertexIndex third_corner(const Triangle& t, const EdgeFacets::Use& use) {
   return no_vertex;
 }
 
-/// Orders facets around an edge from a to b counter-clockwise, seen against its direction, starting at the first one.
+/// Orders facets around an edge from a to b counter-clockwise, seen against its direction, from the first facet on.
 class AngleOrder {
  public:
   AngleOrder(const Complex& complex, const EdgeFacets::Use& first)
@@ -34,7 +34,7 @@ class AngleOrder {
   const Vec3& corner(const EdgeFacets::Use& use) const {
     return complex_.points[third_corner(complex_.facets[use.facet], use)];
   }
-  /// Returns the angle of a facet from the first one at an edge: 0 none, 1 under half a turn, 2 half a turn, 3 more.
+  /// Returns the angle about an edge from its first facet to another: 0 none, 1 below, 2 equal to, 3 above 180 degrees.
   int part_of_turn(const EdgeFacets::Use& use) const {
     const Vec3& p = corner(use);
     if (p == first_) return 0;

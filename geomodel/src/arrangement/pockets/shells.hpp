@@ -21,8 +21,8 @@ struct EdgeFacets {
     Index facet;
     bool forward;  ///< whether the facet traverses the edge from a to b
   };
-  std::vector<Use> uses;             ///< uses of edges, sorted by edge, then by facet
-  std::vector<std::size_t> offsets;  ///< index of the first use of each edge, followed by the number of uses
+  std::vector<Use> uses;             ///< edges of facets, each with one facet at it, sorted by edge, then by facet
+  std::vector<std::size_t> offsets;  ///< index in `uses` of each edge's first entry, followed by the number of entries
 };
 EdgeFacets edge_facets(const Complex& complex);
 

@@ -90,7 +90,7 @@ void BoxTree::group_nodes(std::span<const Index> groups) {
   for (std::size_t leaf = 0; leaf < n_leaves_; ++leaf) {
     const std::size_t begin = leaf * leaf_size, end = std::min(begin + leaf_size, groups_.size());
     if (groups_[begin] == groups_[end - 1])
-      node_groups_[n_slots_ + leaf] = groups_[begin];  // the leaf's boxes are sorted by group, so all are of this one
+      node_groups_[n_slots_ + leaf] = groups_[begin];  // the leaf's boxes are sorted by group, so there is only one
   }
   for (std::size_t node = n_slots_; node-- > 1;)
     if (node_groups_[2 * node] == node_groups_[2 * node + 1]) node_groups_[node] = node_groups_[2 * node];

@@ -108,11 +108,11 @@ class BoxTree {
 
   Vec3 origin_;
   std::size_t n_leaves_ = 0, n_slots_ = 1;
-  std::vector<Index> order_;     ///< boxes in Morton order
+  std::vector<Index> order_;     ///< the tree's boxes in Morton order
   std::vector<FloatBox> boxes_;  ///< in that order
   std::vector<FloatBox> nodes_;
   std::vector<Index> groups_;       ///< group of each box in Morton order; empty if there are no groups
-  std::vector<Index> node_groups_;  ///< for each node: the common group of all its boxes, or no_index
+  std::vector<Index> node_groups_;  ///< for each tree node: the group to which all its boxes belong, or no_index
 };
 
 }  // namespace geomesh::geomodel::arrangement

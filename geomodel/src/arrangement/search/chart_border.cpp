@@ -56,7 +56,7 @@ class Border {
            std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <= std::min(std::max(a.y, b.y), std::max(c.y, d.y));
   }
 
-  /// Returns whether segments s p and s q overlap.
+  /// Returns whether the segments from s to p and from s to q overlap.
   static bool overlap_from(const Vec2& s, const Vec2& p, const Vec2& q) {
     return orient2d(s, p, q) == Sign::zero && before(s, p) == before(s, q);
   }
@@ -97,8 +97,8 @@ class Border {
               });
   }
 
-  /// Returns the number of connected parts of the border that have the outside on the right of their edges. If there is
-  /// only one, the other parts bound holes in it.
+  /// Returns the number of connected parts of the chart's border that have the outside on the right of their edges. If
+  /// there is only one such part, the others bound holes in it.
   std::size_t n_outer_components() {
     std::map<VertexIndex, VertexIndex> parent;
     const auto root = [&parent](VertexIndex v) {
@@ -110,7 +110,7 @@ class Border {
       const VertexIndex a = root(e.from), b = root(e.to);
       parent[std::max(a, b)] = std::min(a, b);
     }
-    // For each connected part of the border: index in begin_ of its vertex with the least projected coordinates.
+    // For each connected part of the chart's border: index in begin_ of its vertex least in projected coordinates.
     std::map<VertexIndex, std::size_t> first_of;
     for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
       const auto [at, is_new] = first_of.try_emplace(root(ends_[begin_[k]].at), k);
@@ -119,7 +119,7 @@ class Border {
     std::size_t n = 0;
     for (const auto& [component, k] : first_of) {
       sort_by_angle(begin_[k], begin_[k + 1]);
-      n += ends_[begin_[k]].is_out;  // directly below this vertex is the outside of its part of the border
+      n += ends_[begin_[k]].is_out;  // outside is below this vertex, so a leaving edge has it on its right
     }
     return n;
   }
@@ -128,7 +128,7 @@ class Border {
   std::size_t i_, j_;
   const std::vector<BorderEdge>& edges_;
   std::vector<End> ends_;           ///< by vertex
-  std::vector<std::size_t> begin_;  ///< index of the first edge end at each vertex
+  std::vector<std::size_t> begin_;  ///< index in ends_ of the first border edge's end at each vertex
 };
 
 }  // namespace

@@ -52,7 +52,7 @@ Neighbours find_neighbours(const Complex& complex) {
 
 struct View {
   std::size_t axis;
-  /// Smallest cosine of the angle between the axis and the normal of a facet that may join the chart.
+  /// Smallest cosine of the angle between the projection axis and the normal of a facet that may join the chart.
   double least_cosine;
 };
 
@@ -133,7 +133,7 @@ class ChartFinder {
         const int turn = turn_as_seen(g, view);
         if (turn == 0) continue;
         turn_[g - begin_] = static_cast<std::int8_t>(turn);
-        // The surface folds over at this edge.
+        // The surface folds over at the edge between the two facets, so the chart ends there.
         if (directed(g, edge_of(beyond)).from == directed(facets_[next], k).from) {
           turn_[g - begin_] = 0;
           continue;

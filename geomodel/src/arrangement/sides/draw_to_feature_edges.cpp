@@ -57,7 +57,7 @@ class Drawing {
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
 
-  /// Inserts vertex v into edge e. `orientation` is zero if v lies exactly on both items that are joined at v.
+  /// Inserts vertex v into edge e to join it to another edge or facet; `orientation` is zero if v lies exactly on both.
   void insert(const EdgeKey& e, VertexIndex v, Sign orientation) {
     if (on_edges_.is_on(e, v)) return;
     on_edges_.insert(e, v);

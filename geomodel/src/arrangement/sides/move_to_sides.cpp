@@ -109,7 +109,7 @@ class SidePlaces {
   Reach reach_;
 };
 
-/// Moves vertices, and undoes the moves that would invert a facet.
+/// Moves vertices to sides of the volume, and undoes the moves that would invert a facet.
 class Moves {
  public:
   Moves(const Complex& complex, double unit) : complex_(complex), unit_(unit), points_(complex.points) {}
@@ -189,7 +189,7 @@ Displacement take_over(Complex& complex, const std::vector<Vec3>& points) {
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance) {
   const SideFacets sides(complex, joining);
   if (sides.all().empty()) return {};
-  // A vertex whose new place is taken is shifted by the merging distance divided by this number.
+  // A vertex whose new place is another vertex's is shifted by the merging distance divided by this number.
   constexpr double moves_a_distance = 16;
   const SidePlaces places(complex, joining, sides, tolerance);
   std::vector<SurfaceEnd> ends = surface_ends(complex);

@@ -91,7 +91,7 @@ class Reach {
 
   const Complex& complex_;
   double tolerance_, least_;
-  std::map<EdgeKey, std::array<Index, 2>> sides_at_;  ///< for edges between two sides of the volume: a facet of each
+  std::map<EdgeKey, std::array<Index, 2>> sides_at_;  ///< per edge between two sides of the volume: a facet of either
   std::map<VertexIndex, std::vector<EdgeKey>> creases_at_;
   std::vector<Index> first_facet_, facets_;  ///< by vertex
 };

@@ -25,7 +25,7 @@ class SideFacets {
   bool is_of_side(Index facet) const { return is_of_side_[facet] != 0; }
   const std::vector<Index>& all() const { return facets_; }
 
-  /// Returns the edges between two sides, with a facet of each side.
+  /// Returns the edges between two sides of the volume, with a facet of each side.
   std::map<EdgeKey, std::array<Index, 2>> creases(const Joining& joining) const {
     struct SurfaceFacet {
       Index surface, facet;

@@ -61,7 +61,7 @@ class Crossings {
   Index number(int row) const {
     return static_cast<Index>(std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin());
   }
-  /// Moves the points made where constraints cross to `pieces`, with the doubles that the triangulation has for them.
+  /// Moves the points where constraint lines cross to `pieces`, with the triangulation's roundings of their places.
   void move_to(ClusterPieces& pieces, const std::vector<PlanarPoint>& points) {
     for (std::size_t k = 0; k < made_.size(); ++k) {
       pieces.made_rounded.push_back(points[rows_[k]].rounded);

@@ -31,7 +31,7 @@ std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts
 
 std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts) {
   std::set<SurfacePair> pairs = surfaces_in_contact(complex, contacts);
-  std::vector<Index> first(complex.points.size(), no_index);  // one of the surfaces at each vertex
+  std::vector<Index> first(complex.points.size(), no_index);  // for each vertex: one of the surfaces that have it
   for (Index f = 0; f < complex.facets.size(); ++f)
     for (const Index surface : surfaces_of(complex.origins.of(f)))
       for (const VertexIndex v : complex.facets[f]) {

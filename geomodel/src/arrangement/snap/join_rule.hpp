@@ -53,13 +53,13 @@ class JoinRule {
     return rule;
   }
 
-  /// Allows the surfaces of these pairs to be merged wherever they are near, whether they end there or not.
+  /// Allows both surfaces of each pair to be merged wherever they are near each other, even where neither of them ends.
   void join_all_of(const std::set<SurfacePair>& pairs) {
     following_.insert(pairs.begin(), pairs.end());
     known_.clear();
   }
 
-  /// Allows the surfaces of these pairs to be merged where one of them ends, although they meet nowhere.
+  /// Allows both surfaces of each pair to be merged where one of them ends, although they meet nowhere.
   void join_ends_of(const std::set<SurfacePair>& pairs) {
     meeting_.insert(pairs.begin(), pairs.end());
     known_.clear();

@@ -8,8 +8,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Solves repeatedly for the parameters of the nearest points, since the first solution has large errors if the edges
-/// are nearly parallel. The vector between the points found is short, so solving again for it reduces the error.
+/// Solves repeatedly for the nearest points of two edges, since the first solution has large errors if the edges are
+/// nearly parallel. The vector between the points found is short, so solving again for it reduces the error.
 std::optional<std::array<Vec3, 2>> nearest_of_edges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   constexpr double least_sine2 = 1e-12;
   constexpr unsigned n_corrections = 2;

@@ -25,8 +25,8 @@ class PlaneWithin {
 
  private:
   Vec3 at_, normal_;
-  /// The distance, and the rounding error of a height above the plane per unit of distance from the first corner, both
-  /// times the length of `normal_`.
+  /// The distance of the test, and the rounding error of a point's height above the plane, relative to its distance
+  /// from the first corner; both are multiplied by the length of `normal_`.
   double distance_, error_;
 };
 

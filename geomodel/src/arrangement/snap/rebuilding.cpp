@@ -8,7 +8,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Returns those pieces of edges that have both ends among these vertices of a facet, to become edges of the facet.
+/// Returns the pieces of edges with both ends among the given vertices of a facet, to become edges of the facet.
 std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::vector<EdgeKey>& pieces) {
   std::sort(vertices.begin(), vertices.end());
   std::vector<EdgeKey> found;
@@ -102,7 +102,7 @@ class Rebuilding {
     }
     return split_these(facets);
   }
-  /// Splits again the facets with an edge in `whole`, from which all insertions were dropped.
+  /// Splits again the facets with an edge in `whole`, the edges from which all inserted vertices were dropped.
   std::vector<Index> split_again(const std::set<EdgeKey>& whole) {
     std::vector<Index> facets;
     for (const auto& [f, split] : splits_) {

@@ -12,7 +12,7 @@ struct RoundingOptions {
   /// constructed point, is moved there. Crossings then bend to existing vertices instead of making ever more of them
   /// (like hot pixels in snap rounding: Hobby 1999).
   double snap;
-  std::optional<Box3> box;  ///< points on the planes of this box stay on them
+  std::optional<Box3> box;  ///< points on the planes of the model's box remain on them
 };
 
 struct Rounded {

@@ -131,7 +131,7 @@ class Snapper {
   SnapOptions options_;
   BoxPlanes planes_;
   VertexGrid grid_;
-  /// Facets to be snapped; those of them that have three distinct corners after vertices were merged.
+  /// Facets to be snapped; and those of them whose three corners are still distinct after vertices were merged.
   std::vector<Index> facets_, active_facets_;
   std::vector<VertexIndex> vertices_, now_;
   std::vector<EdgeKey> edges_;

@@ -13,12 +13,12 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The vertices that move to a plane of the box if they are closer to it than the distance.
+/// The vertices that snapping moves to a plane of the box if they are closer to it than the snapping distance.
 enum class MoveToBox : std::uint8_t { none, of_free_borders, all };
 
 struct SnapOptions {
   double distance = 0;
-  std::optional<Box3> box;  ///< vertices on the planes of this box remain on them
+  std::optional<Box3> box;  ///< vertices on the planes of the model's box remain on them
   MoveToBox move_to_box = MoveToBox::none;
   JoinRule rule{};
   /// For each vertex, if the volume is not a box: the sides of the volume on which it lies up to rounding, as bits

@@ -89,7 +89,7 @@ class Search {
     const EdgeKey &e = edges_[row_e], &f = edges_[row_f];
     if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second) return;
     const auto nearest = nearest_of_edges(point(e.first), point(e.second), point(f.first), point(f.second));
-    if (!nearest) return;  // parallel edges, or nearest at an end, which was inserted in the other edge before if near
+    if (!nearest) return;  // parallel edges, or nearest at an end, which was tested against the other edge before
     const auto& [p, q] = *nearest;
     if (length(p - q) >= distance_) return;
     const VertexIndex on_e = on_edges_.nearer(e, p), on_f = on_edges_.nearer(f, q);
@@ -245,7 +245,7 @@ VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes&
   const Vec3 margin{distance_, distance_, distance_};
   const Cell low = cell_of(p - margin), high = cell_of(p + margin);
   double best_distance = distance_;
-  // The diameter of the search ball is half a cell, so it meets at most two cells along an axis.
+  // The ball in which vertices are sought has half a cell as diameter, so it meets at most two cells along an axis.
   for (unsigned k = 0; k < 8; ++k) {
     Cell cell = low;
     bool is_same = false;  // as one before

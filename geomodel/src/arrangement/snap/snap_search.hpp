@@ -16,7 +16,7 @@ class BoxPlanes {
  public:
   explicit BoxPlanes(const std::optional<Box3>& box) : box_(box) {}
   unsigned of(const Vec3& p) const;
-  /// Returns p with its coordinates moved exactly onto the given planes.
+  /// Returns p with its coordinates moved exactly onto the given planes of the box.
   Vec3 onto(Vec3 p, unsigned planes) const;
   /// Returns p moved to the box planes within the distance, unless p is outside the box by more than that.
   Vec3 onto_near(const Vec3& p, double distance) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Collects vertices to insert on edges, and makes vertices at new places.
+/// Collects vertices to insert on edges of facets, and makes vertices at places that have none.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class VerticesOnEdges {
     return no_vertex;
   }
 
-  /// Returns the inserted vertices, in order along each edge.
+  /// Returns the vertices inserted in edges, in order along each edge.
   decltype(Insertions::on_edge) take_sorted() {
     for (auto& [edge, on] : on_edge_)
       std::sort(on.begin(), on.end(), [&, &e = edge](VertexIndex a, VertexIndex b) {
@@ -77,7 +77,7 @@ class VerticesByPlace {
 
  private:
   Complex& complex_;
-  std::unordered_map<Vec3, VertexIndex, PointHash> known_;  ///< indices of the first n_known_ points by coordinates
+  std::unordered_map<Vec3, VertexIndex, PointHash> known_;  ///< vertices by coordinates, of the first n_known_ points
   std::size_t n_known_ = 0;
 };
 

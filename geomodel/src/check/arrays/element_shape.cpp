@@ -72,7 +72,7 @@ ElementShape element_shape(const std::array<Vec3, 4>& p, double ulp) {
   }
   const double of_products =
       epsilons_of_products * std::numeric_limits<double>::epsilon() * s.longest_edge * s.longest_edge;
-  if (!(six_volumes > of_products * s.longest_edge && smallest > of_products)) {  // too flat to be measured in doubles
+  if (!(six_volumes > of_products * s.longest_edge && smallest > of_products)) {  // the element is too flat for doubles
     s.turn = std::numeric_limits<double>::infinity();
     return s;
   }

@@ -19,14 +19,15 @@ struct ElementShape {
   /// flat as rounding, and infinite if the volume is zero in floating point (shape ratios are 0 then).
   double turn;
   double ulp;  ///< as given
-  /// Bounds on the difference, due to rounding, between this element's measures and another program's measures of it:
-  /// for angles (in degrees), for ratios and for lengths.
+  /// Bounds on the amount by which rounding may make another program's measures of this tetrahedron differ: its angles
+  /// (in degrees), its ratios and its lengths.
   double slack_of_angles() const;
   double slack_of_ratios() const;
   double slack_of_lengths() const;
 };
 
-/// `ulp` is the distance between neighbouring numbers at the mesh's largest coordinate. Precondition: positive volume.
+/// Measures a tetrahedron with these corners. `ulp` is the distance between neighbouring numbers at the mesh's largest
+/// coordinate. Precondition: the tetrahedron's volume is positive.
 ElementShape element_shape(const std::array<Vec3, 4>& corners, double ulp);
 ElementShape element_shape(const CheckedMesh& mesh, const Tetrahedron& cell, double ulp);
 

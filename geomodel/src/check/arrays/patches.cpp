@@ -38,7 +38,8 @@ std::vector<Index> joined_faces(const CheckedFaces& checked) {
 void check_patches(const CheckedFaces& checked, CheckResult& result) {
   const FacesFile& faces = *checked.faces();
   const std::vector<Index> root = joined_faces(checked);
-  // If the model ends at a surface, faces beyond it, which connected two pieces of a patch, may have been removed.
+  // If the model ends at a topography or base, faces beyond it were removed. They may have connected two parts of a
+  // patch.
   const bool parts_may_be_joined_outside = checked.specification().ends_inside || !checked.specification().volume;
   std::map<Index, std::int32_t> patch_of_root;
   std::map<std::int32_t, Index> root_of_patch;

@@ -15,11 +15,10 @@ namespace {
 
 enum Kind : std::int32_t { input = 0, intersection = 1, on_segment = 2, on_facet = 3, inside = 4, midpoint = 5 };
 
-/// The surfaces and curves to which a point of the mesh belongs.
 struct AtPoint {
   std::set<std::int32_t> surfaces;
   bool on_curve = false, is_named = false;
-  bool may_be_on_curve = false;  ///< whether the point may be on a curve, which is unknown without a curves file
+  bool may_be_on_curve = false;  ///< whether the point may be on a curve: true if the mesh has no curves file
 };
 
 std::vector<AtPoint> things_at_points(const CheckedFaces& checked, const CheckedCurves* curves) {

@@ -10,8 +10,8 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Allowed differences between floating-point sums computed here and those of the report: relative to the sum itself,
-/// and relative to the total over the model, because volumes of parts as thin as rounding are rounding errors.
+/// Allowed differences between sums that the checker computes in floating point and those in the report: relative to
+/// the sum itself, and relative to the total over the model. Volumes of parts as thin as rounding are rounding errors.
 constexpr double agreement = 1e-9, agreement_of_whole = 1e-14;
 
 bool is_about(double a, double b, double whole = 0) {

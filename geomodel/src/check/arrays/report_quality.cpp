@@ -33,7 +33,8 @@ bool is_count(const json& told, std::size_t least, std::size_t most) {
   return told.is_number_unsigned() && told.get<std::size_t>() >= least && told.get<std::size_t>() <= most;
 }
 
-/// A histogram of uncertain values, which counts for each bin the values certainly in it, and those that may be.
+/// A histogram of values that are uncertain because of rounding. It counts the values that are certainly in a bin, and
+/// those that may be in it.
 class Bins {
  public:
   Bins(std::size_t n, double width) : certain_(n, 0), possible_(n, 0), width_(width) {}

@@ -72,7 +72,7 @@ void check_members(const CheckedFaces& checked, double rounding, CheckResult& re
     const auto& ids = checked.set_of(f);
     for (std::size_t k = 1; k < ids.size(); ++k) {
       const Index row = checked.surface_of(ids[k]);
-      if (row == no_index) continue;  // a side of the model, which has no specification
+      if (row == no_index) continue;  // sides of the box have no specification
       auto& set = sets[row];
       if (!set) set.emplace(triangles_of(checked.specification().surfaces[row]));
       const Corners c = corners_of(checked, f);

@@ -45,10 +45,11 @@ class Places {
   std::vector<Vec3> points_;
 };
 
-/// Ascending point numbers of a part's corners. Faces, edges and nodes have fewer than four; no_index fills the rest.
+/// Points of an element, a face, an edge or a node, in ascending order. There are four for an element and fewer for
+/// others, filled up with no_index.
 using Corners = std::array<Index, 4>;
 constexpr Corners nowhere{no_index, no_index, no_index, no_index};
-/// For each name, its elements, faces, edges or nodes in ascending order.
+/// For each name, the list of its elements, faces, edges or nodes, sorted.
 using NamedParts = std::map<std::string, std::vector<Corners>>;
 
 struct NamedMesh {
@@ -125,7 +126,8 @@ class Namer {
 
 using CurvedEdges = std::vector<std::pair<Corners, std::array<double, 3>>>;
 
-/// Returns the midpoint nodes that are not half-way along their edges, by the point numbers of the edge's ends.
+/// Returns the midpoint nodes that are not half-way between the ends of their edges, with the point numbers of these
+/// ends.
 CurvedEdges curved_edges_of(const ModelMesh& mesh, const std::vector<Index>& place) {
   CurvedEdges edges;
   for (const CurvedEdge& e : mesh.curved_edges) {
@@ -142,7 +144,8 @@ class Comparison {
   Comparison(const Places& places, std::string file, CheckResult& result)
       : places_(places), file_(std::move(file)), result_(result) {}
 
-  /// Compares the parts under each name. `what` describes them in messages, for example "faces of surface".
+  /// Compares the elements, faces, edges or nodes that have the same name in both files. `what` describes them in
+  /// messages, for example "faces of surface".
   void compare(const std::string& what, const NamedParts& given, const NamedParts& due) {
     std::set<std::string> names;
     for (const NamedParts* parts : {&given, &due})
@@ -158,7 +161,7 @@ class Comparison {
         tell(in_one_alone(g->second, d->second), named + " are here or in " + file_ + " alone");
     }
   }
-  /// Compares the midpoint nodes that are not half-way along their edges.
+  /// Compares the midpoint nodes of both files that are not half-way between the ends of their edges.
   void compare(const CurvedEdges& given, const CurvedEdges& due) {
     std::vector<Corners> edges;
     for (const auto& [ends, middle] : in_one_alone(given, due)) edges.push_back(ends);

@@ -16,7 +16,8 @@ using MeshEdge = std::array<VertexIndex, 2>;
 /// The curves of the curves file, expressed in vertices of the mesh.
 struct CheckedCurves {
   const CurvesFile& file;
-  std::vector<MeshEdge> edges;  ///< mesh edges of the curves, in file order; no_vertex for an end that the mesh lacks
+  /// Curve edges by mesh vertices, in file order; no_vertex for an end that is not in the mesh.
+  std::vector<MeshEdge> edges;
   std::vector<VertexIndex> vertices;              ///< as the file's
   std::map<std::int32_t, std::size_t> row_of_id;  ///< in file.curves
 };

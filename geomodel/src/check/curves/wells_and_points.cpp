@@ -95,7 +95,8 @@ void WellChecker::check_covered(const Polyline& well, const std::vector<MeshEdge
     for (const MeshEdge& e : edges) {
       const auto [t, d] = along(checked_.mesh().point(e[0]), a, b);
       const auto [u, f] = along(checked_.mesh().point(e[1]), a, b);
-      // If points may move, an edge may cut a corner of the well's path, with each end near one of the two segments.
+      // If surfaces may move, the mesh edge may cut a corner of the well's path, so that its ends are near different
+      // segments of the path.
       if (d <= 2 * room_ || f <= 2 * room_) covered.push_back({std::min(t, u), std::max(t, u)});
     }
     std::sort(covered.begin(), covered.end(), [](const Interval& x, const Interval& y) { return x.from < y.from; });

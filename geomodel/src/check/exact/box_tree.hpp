@@ -37,7 +37,7 @@ class BoxTree {
     if (!items_.empty()) build(0, static_cast<Index>(items_.size()));
   }
 
-  /// Calls visit(item) for every box that meets `box`, in an order that depends only on the tree.
+  /// Calls visit(item) for every item of the tree whose box meets `box`, in an order that depends only on the tree.
   template <class Visit>
   void query(const Box3& box, Visit&& visit) const {
     if (nodes_.empty()) return;

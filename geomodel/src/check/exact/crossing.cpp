@@ -79,7 +79,7 @@ int ray_crossing(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& c, int
     on = true;
     return 0;
   }
-  const bool above = side == s0;  // whether the ray starts on the +axis side of the plane of the triangle t
+  const bool above = side == s0;  // whether the ray's start, the centroid of c, is on the +axis side of the plane of t
   if (above == up) return 0;
   const bool leaves_along_normal = (s0 == Sign::positive) == up;
   return leaves_along_normal ? 1 : -1;

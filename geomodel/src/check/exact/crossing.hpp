@@ -12,12 +12,12 @@
 namespace geomesh::geomodel::checking {
 
 enum class Meeting {
-  proper,    ///< The triangles are disjoint, or meet in shared vertices and edges only.
-  overlap,   ///< The triangles are coplanar and share an area or a part of an edge.
-  crossing,  ///< The triangles share a point inside a triangle or an edge: they cross, or one touches the other.
+  proper,    ///< The two triangles are disjoint, or meet in shared vertices and edges only.
+  overlap,   ///< The two triangles are coplanar and share an area or a part of an edge.
+  crossing,  ///< The triangles share a point inside one or inside an edge of one: they cross, or one touches the other.
 };
-/// Classifies how two triangles meet. Points are identified by index. A triangle of zero area is `proper` with all
-/// others.
+/// Classifies how the triangles s and t meet. Corners are equal if they have equal indices. If s or t has zero area,
+/// the result is `proper`.
 Meeting meeting(const std::vector<Vec3>& points, const Triangle& s, const Triangle& t);
 
 /// Returns the winding number of the closed oriented surface `triangles` at a point just outside face f, on the side to

@@ -10,10 +10,11 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// One triangle is cut into at most this many pieces; the rest of it is only sampled.
+/// Largest number of pieces into which a triangle is cut to prove that it lies within the tolerance. Further pieces are
+/// only sampled at their corners.
 constexpr std::size_t most_pieces = 4000;
-/// A piece with a corner beyond the tolerance, at a place where this is no fault, is not bisected further after this
-/// number of bisections. Eight bisections divide the triangle's edges by sixteen.
+/// If a corner of a piece is farther than the tolerance at a place where this is no error, the piece is not bisected
+/// further after this number of bisections. Eight bisections divide the edges of a triangle by sixteen.
 constexpr int depth_beyond = 8;
 
 double length(const Vec3& a) { return std::sqrt(dot(a, a)); }

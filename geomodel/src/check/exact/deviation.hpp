@@ -38,36 +38,36 @@ class TriangleSet {
   };
   /// Returns the triangles of the set within `reach` of p.
   std::vector<Near> near(const Vec3& p, double reach) const;
-  /// Returns the distance of a point to the nearest triangle of the set; infinite if the set is empty.
   double distance(const Vec3& p) const;
   std::optional<std::array<Vec3, 2>> shared_edge(Index a, Index b) const;
   bool empty() const { return triangles_.empty(); }
 
  private:
   std::vector<Corners> triangles_;
-  std::vector<std::array<Index, 3>> corner_ids_;  ///< ids of the triangles' corners; equal coordinates have equal ids
+  /// Ids of the corners of the set's triangles; corners with equal coordinates have equal ids.
+  std::vector<std::array<Index, 3>> corner_ids_;
   Box3 box_;
   BoxTree tree_;
 };
 
 /// Results of measuring triangles against a triangle set, accumulated over all measured triangles.
 struct Deviation {
-  double largest = 0;  ///< largest distance from a sampled point to the set; points beyond the tolerance are left out
-  /// Areas of the measured triangles: total, proven within the tolerance, and of pieces with all corners beyond the
-  /// tolerance at places where this is no fault.
+  double largest = 0;  ///< largest distance of a sampled point from the triangle set, among points within the tolerance
+  /// Areas of the measured triangles: total, proven to be within the tolerance, and of pieces with all corners beyond
+  /// the tolerance at places where this is no error.
   double area = 0, proven = 0, beyond = 0;
-  double spacing = 0;  ///< longest edge of a piece that was only sampled, not proven
+  double spacing = 0;  ///< longest edge of a piece of a triangle that was only sampled, not proven to be near
 };
 
-/// Decides whether triangles lie within a tolerance of a triangle set.
 class DeviationChecker {
  public:
-  /// `is_due` returns whether a point beyond the tolerance counts as a fault; without it every such point does.
+  /// `is_due` returns whether it is an error that a point of a measured triangle is farther from the set than the
+  /// tolerance. Without this function it always is.
   DeviationChecker(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due = {});
 
-  /// Measures how far one triangle is from the set and adds the results to `so_far`. Returns a point that is beyond the
-  /// tolerance and counts as a fault, if there is one. The triangle is cut into at most `most_pieces` pieces; those for
-  /// which nothing is proven are only sampled at their corners.
+  /// Measures how far one triangle is from the triangle set, and adds the results to `so_far`. Returns a point of the
+  /// triangle that is farther than the tolerance, if this is an error there. The triangle is cut into at most
+  /// `most_pieces` pieces. If nothing can be proven for a piece, only its corners are sampled.
   std::optional<Vec3> check(const Corners& triangle, Deviation& so_far) const;
 
  private:

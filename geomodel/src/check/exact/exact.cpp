@@ -41,7 +41,8 @@ Estimate estimate(const Vec3& u, const Vec3& v, const Vec3& w) {
                                                              std::abs(u.z) * (std::abs(e) + std::abs(f))};
 }
 
-/// Returns true if a column is zero. These coordinate differences are then exact zeros, and so is the determinant.
+/// Returns true if a column of the matrix with the rows u, v and w is zero. Its entries are differences of equal
+/// coordinates, so they are exact, and the determinant is exactly zero.
 bool has_zero_column(const Vec3& u, const Vec3& v, const Vec3& w) {
   return (u.x == 0 && v.x == 0 && w.x == 0) || (u.y == 0 && v.y == 0 && w.y == 0) || (u.z == 0 && v.z == 0 && w.z == 0);
 }
@@ -113,7 +114,7 @@ Sign centroid_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& u, c
   const Exact pj = Exact(a[j]) + Exact(b[j]) + Exact(c[j]) - three * Exact(u[j]);
   const Sign s = sign_of(di * pj - dj * pi);
   if (s != Sign::zero) return s;
-  const Sign first = sign_of(u[j] - v[j]);  // ties: the centroid is shifted by an infinitesimal (e, e^2)
+  const Sign first = sign_of(u[j] - v[j]);  // the centroid is on the line: shift it by an infinitesimal (e, e^2)
   return first != Sign::zero ? first : sign_of(v[i] - u[i]);
 }
 
@@ -127,7 +128,7 @@ Sign centroid_orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec
 double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const Estimate e = estimate(u, v, w);
-  // The terms hardly cancel, so the floating-point determinant is correct to 1e-12.
+  // The determinant's terms hardly cancel, so its floating-point value has a relative error below 1e-12.
   if (std::abs(e.value) > 1e-3 * e.magnitude + underflow_guard) return e.value;
   if (has_zero_column(u, v, w)) return 0;
   return CGAL::to_double(determinant(difference(b, a), difference(c, a), difference(d, a)));

@@ -24,13 +24,13 @@ class PlaneTriangle {
   const std::array<Vec3, 3>& corners() const { return corner_; }
 
   double distance(const Vec3& p) const;
-  /// Returns how far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of the
-  /// sides.
+  /// Returns how far p, projected into the triangle's plane, is outside the triangle (0: inside), measured to the lines
+  /// of its sides.
   double outside(const Vec3& p) const;
-  /// Returns whether, for one side of the triangle, both points projected into the plane lie beyond the line of that
-  /// side, or at most `tolerance` within it.
+  /// Returns whether p and q, projected into the triangle's plane, are both beyond the line of the same side, or at
+  /// most `tolerance` within it.
   bool are_beyond_a_side(const Vec3& p, const Vec3& q, double tolerance) const;
-  /// Returns the area of overlap between the triangle p q r, projected into the plane, and this triangle.
+  /// Returns the area that this triangle shares with the triangle p q r after p q r is projected into its plane.
   double common_area(const Vec3& p, const Vec3& q, const Vec3& r) const;
   double area_inside(const Box3& box) const;
   /// Returns the triangle's part inside the box as a convex polygon; empty if it has fewer than three points.
@@ -42,7 +42,7 @@ class PlaneTriangle {
   std::array<Vec3, 3> corner_;
   Vec3 normal_, axis_u_, axis_v_;  ///< unit vectors
   double length_;                  ///< twice the area
-  std::array<Vec2, 3> flat_;       ///< corners in coordinates of the triangle's plane, counter-clockwise
+  std::array<Vec2, 3> flat_;  ///< corners in plane coordinates with the origin in the first corner, counter-clockwise
 };
 
 }  // namespace geomesh::geomodel::checking

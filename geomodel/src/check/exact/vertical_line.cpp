@@ -25,7 +25,7 @@ void for_each_height(const TriangulatedSurface& surface, const BoxTree& tree, co
     const Triangle& t = surface.triangles[row];
     const Vec3 &a = surface.points[t[0]], &b = surface.points[t[1]], &c = surface.points[t[2]];
     const Sign turn = projected_orientation(a, b, c, 2);
-    if (turn == Sign::zero) return;  // a vertical triangle: its neighbours determine where the line crosses
+    if (turn == Sign::zero) return;  // vertical: the triangles beside it determine where the line crosses
     for (const auto& [u, v] : {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
       if (projected_orientation(*u, *v, p, 2) * turn != Sign::negative) continue;
       const double length = std::hypot(v->x - u->x, v->y - u->y);

@@ -18,8 +18,9 @@ namespace {
 /// Share of the continuation distance within which a wall counts as near. The shortest distance to a wall is less than
 /// the distance along the horizon; it is half of it if horizon and wall meet at 30 degrees.
 constexpr double share_of_distance = 0.5;
-/// Least cosine of the angle between the outward direction at a border of a horizon and the direction to the nearest
-/// point of a wall. A horizon directly above or below the border is thus not a wall ahead of it.
+/// A surface is a wall ahead of a horizon's border if the direction to the wall's nearest point and the outward
+/// direction at the border make an angle with at least this cosine. A horizon directly above or below the border is
+/// thus no wall.
 constexpr double least_ahead = 0.25;
 
 /// The faces of each mesh cell, and whether each face belongs to a surface.
@@ -100,7 +101,7 @@ class GapChecker {
   }
 
  private:
-  /// Assigns each cell of the region to the nearer side of the horizon.
+  /// Determines which side of the horizon is nearer to each cell of the region, along paths inside the region.
   void spread(const std::vector<InnerFace>& inner) {
     struct Reached {
       double distance;
@@ -130,7 +131,8 @@ class GapChecker {
     }
   }
 
-  /// Calls visit(face, cell) for the neighbouring cells of the same region across faces that belong to no surface.
+  /// Calls visit(face, neighbour) for each cell that shares a face with the given one, if both are in the same region
+  /// and no surface contains the face.
   template <class F>
   void for_each_neighbour(Index cell, F&& visit) const {
     for (const Index f : ways_.faces_of_cell[cell]) {
@@ -173,8 +175,8 @@ class GapChecker {
   const CheckedMesh& mesh_;
   const MeshWays& ways_;
   std::int32_t region_;
-  TriangleSet walls_;                   ///< faces of other surfaces that bound the region
-  std::map<Edge, VertexIndex> border_;  ///< border edges of the horizon, each with the third corner of its face
+  TriangleSet walls_;                   ///< faces on the boundary of the region, except those of the horizon
+  std::map<Edge, VertexIndex> border_;  ///< border edges of the horizon, with the third corner of the face at each
   std::vector<HorizonSide> side_;       ///< per cell
 };
 

@@ -21,9 +21,9 @@ struct ReportedGap {
 /// (`units_joined_by_gap`). The gap is found from the mesh itself: the cells of the region are divided by which side of
 /// the horizon is nearer, along paths through the region that cross no face of a surface, and the faces between both
 /// parts fill the gap. If part of a gap's border has nothing in front of it, the horizon has a free end there, which is
-/// not a fault. A gap is not a fault either if the run itself reported that the horizon stops short or has a hole, or
-/// that units are joined in this region; the gap is then listed among the checks done. `told` comes from the report
-/// beside the mesh.  Precondition: a face set. O(n log n) in the cells of such regions.
+/// no error. Nor is a gap an error if the run itself reported that the horizon stops short or has a hole, or that units
+/// are joined in this region; the gap is then listed among the checks done. `told` are the gaps in the report beside
+/// the mesh. Precondition: a face set. O(n log n) in the cells of such regions.
 void check_gaps(const CheckedFaces& checked, const std::vector<ReportedGap>& told, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking

@@ -30,7 +30,7 @@ CheckedFaces::CheckedFaces(const CheckedMesh& mesh, const Specification& specifi
                            const std::vector<Triangle>& set_faces)
     : mesh_(mesh), specification_(specification), faces_(faces) {
   if (faces_) {
-    candidates_ = set_faces;  // triangles that are no mesh faces are kept, so that indices are those of the face set
+    candidates_ = set_faces;  // also triangles that are no mesh faces, so that indices are those of the faces file
   } else {
     for (const FacePair& face : mesh_.faces) candidates_.push_back(face.key);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The mesh to be checked, with paired faces, and the checks of each property, which append their faults to `result`.
+/// The mesh to be checked, with paired faces, and the checks of each property, which append failures to `result`.
 #pragma once
 
 #include <map>
@@ -43,7 +43,7 @@ bool is_finite(const Vec3& p);
 /// Returns true if sorting the corners of `t` takes an odd number of exchanges.
 bool is_odd(const Triangle& t);
 Triangle sorted(Triangle t);
-/// Returns the face, with its normal out of its tetrahedron `even` (`odd`).
+/// Returns the corners of the face in the order in which its normal points out of its tetrahedron `even` (`odd`).
 inline Triangle outward_of_even(const FacePair& f) { return f.key; }
 inline Triangle outward_of_odd(const FacePair& f) { return {f.key[0], f.key[2], f.key[1]}; }
 inline bool is_boundary(const FacePair& f) { return (f.even == no_index) != (f.odd == no_index); }
@@ -65,14 +65,14 @@ void check_regions(const CheckedMesh& mesh, bool contract, CheckResult& result);
 /// Checks second-order elements: each edge has one node, shared by all of its cells (`wrong_midpoints`), and every
 /// Bezier coefficient of every Jacobian is positive (`jacobian_not_positive`), decided exactly.
 void check_second_order(const CheckedMesh& mesh, CheckResult& result);
-/// Checks the Delaunay property: no vertex lies strictly inside the circumsphere of a tetrahedron across a face.
-/// Violations across constrained faces are reported as a fault of their own.
+/// Checks the Delaunay property: no vertex lies strictly inside the circumsphere of a tetrahedron with which its own
+/// tetrahedron shares a face. Violations across constrained faces are reported separately.
 void check_delaunay(const CheckedMesh& mesh, const FacesFile* faces, CheckResult& result);
 
 /// Returns the mesh vertices that equal the points of the faces file; no_vertex for points that are not in the mesh.
 std::vector<VertexIndex> match_points(const CheckedMesh& mesh, const std::vector<Vec3>& points);
-/// Checks the face set against the mesh (docs/output-files.md). Returns its triangles as mesh vertices, with no_vertex
-/// for points that are not in the mesh.
+/// Checks the faces file (docs/output-files.md) against the mesh. Returns the file's triangles by their mesh vertices,
+/// with no_vertex for points that are not in the mesh.
 std::vector<Triangle> check_face_set(const CheckedMesh& mesh, const FacesFile& faces, CheckResult& result);
 
 /// Checks that the mesh fills the volume and that every point is inside it. For a box, the volumes may differ by 1e-12

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Collects the locations where a mesh fails one check into one reported fault with a count and examples.
+/// Collects the locations where a mesh fails a check. They are reported as one failure with a count and examples.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Collects the failures of one check: call add() for each failure, then report(). `id` is the fault's stable name.
+/// Collects the places at which a mesh fails one check: call add() for each of them, then report(). `id` is the fixed
+/// name of this kind of failure.
 class FaultCollector {
  public:
   explicit FaultCollector(std::string id) { fault_.id = std::move(id); }
@@ -23,7 +24,7 @@ class FaultCollector {
   }
   std::size_t count() const { return fault_.count; }
 
-  /// If any failure was added, appends the fault to the result as "<count> <what>".
+  /// If the mesh failed the check anywhere, appends the failure to the result as "<count> <what>".
   void report(CheckResult& result, const std::string& what) {
     if (fault_.count == 0) return;
     fault_.what = std::to_string(fault_.count) + " " + what;

@@ -14,7 +14,8 @@ namespace geomesh::geomodel::checking {
 
 enum class Wall { none, minus, plus };
 
-/// Splits a wall's name into the surface and its side. For any other name, returns the name itself and no side.
+/// Splits the name of a wall, NAME.minus or NAME.plus, into surface and side. For any other name, returns the name
+/// itself and no side.
 inline std::pair<std::string, Wall> wall_of(const std::string& name, const std::vector<std::string>& opened) {
   for (const std::string& surface : opened) {
     if (name == surface + ".minus") return {surface, Wall::minus};
@@ -23,8 +24,8 @@ inline std::pair<std::string, Wall> wall_of(const std::string& name, const std::
   return {name, Wall::none};
 }
 
-/// Returns the wall to which a mesh face belongs, according to its first surface, else to any other surface of its set
-/// (a fault may coincide with another surface).
+/// Returns the wall of a split fault or a fault zone to which a mesh face belongs. The first surface of the face
+/// decides; if it is no wall, the other surfaces that coincide there do.
 inline Wall wall_of_face(const FacesFile& faces, std::size_t f, const std::vector<std::string>& opened) {
   const auto wall_of_id = [&](std::int32_t id) {
     const auto name = faces.surface_names.find(id);

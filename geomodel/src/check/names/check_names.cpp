@@ -154,7 +154,8 @@ bool NameChecker::comes_first(const Row& a, const Row& b) const {
   return comes_before(p.centroid, q.centroid);
 }
 
-/// Checks the suffixes of region names: a unique name has none; equal names have `__1`, `__2` ... by position.
+/// Checks the suffixes of region names: a name of one region has none; regions with equal names have `__1`, `__2` ...
+/// in the order of their positions.
 void NameChecker::check_suffixes(CheckResult& result) const {
   FaultCollector wrong("wrong_name_suffixes");
   std::map<std::pair<std::string, std::size_t>, std::vector<const Row*>> named;

@@ -40,7 +40,7 @@ class LabelFinder {
 
   const CheckedFaces& checked_;
   double reach_;
-  double least_volume_;  ///< least volume of a region compared with horizons, because rounding makes smaller ones
+  double least_volume_;  ///< regions of a smaller volume are not checked: rounding makes them
   UnitFinder units_;
   std::map<std::int32_t, RegionPlace> places_;
 };

@@ -25,7 +25,6 @@ std::map<std::int32_t, RegionPlace> region_places(const CheckedMesh& mesh, std::
 /// Returns the regions whose closed tetrahedra contain p, decided exactly.
 std::vector<std::int32_t> regions_at(const CheckedMesh& mesh, const Vec3& p);
 
-/// Compares two points by x, then y, then z.
 bool comes_before(const Vec3& a, const Vec3& b);
 
 }  // namespace geomesh::geomodel::checking

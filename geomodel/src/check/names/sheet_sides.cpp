@@ -36,7 +36,7 @@ double area_in_map(const TriangulatedSurface& s, Index t) {
 std::vector<int> upper_sides(const TriangulatedSurface& surface) {
   struct Neighbour {
     Index triangle;
-    int same;  ///< +1 if the normals of both triangles point to the same side of the surface
+    int same;  ///< +1 if the normals of both triangles at an edge point to the same side of the surface, else -1
   };
   std::vector<std::vector<Neighbour>> across(surface.triangles.size());
   for (const auto& [ends, at] : edge_uses(surface)) {

@@ -28,7 +28,7 @@ UnionFind parts_of(const CheckedFaces& checked) {
 std::vector<bool> cells_of_small_parts(const CheckedFaces& checked, double min_volume) {
   const CheckedMesh& mesh = checked.mesh();
   UnionFind parts = parts_of(checked);
-  std::vector<double> volume(mesh.cells.size(), 0);  // volume of each part, stored at the cell that represents the part
+  std::vector<double> volume(mesh.cells.size(), 0);  // volume of connected parts of regions, by representative cell
   for (Index c = 0; c < mesh.cells.size(); ++c) {
     const Tetrahedron& v = mesh.cells[c];
     volume[parts.find(c)] += six_volumes(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3])) / 6;

@@ -9,7 +9,6 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Whether the cells on the two sides of a face are in a small part of their region.
 struct SmallSides {
   bool minus = false, plus = false;
 };

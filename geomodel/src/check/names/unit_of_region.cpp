@@ -13,7 +13,8 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Comparing two areas is inconclusive if the smaller one exceeds this share of their sum.
+/// If the smaller of two areas, of a horizon's faces above and below a region, exceeds this share of their sum, the
+/// side of the horizon on which the region lies is uncertain.
 constexpr double close_share = 0.45;
 
 double area_of(const std::map<Index, double>& areas, Index h) {
@@ -65,7 +66,7 @@ void UnitFinder::add_faces(double reach) {
         best = std::abs(cosine);
         agreement = cosine * horizons_[h].upper_side[near.triangle];
       }
-      if (best < least_cosine) continue;  // a face off its surface is reported by another check
+      if (best < least_cosine) continue;  // another check reports faces that do not lie on their surface
       const std::int32_t lower = agreement > 0 ? faces.region_minus[f] : faces.region_plus[f];
       const std::int32_t upper = agreement > 0 ? faces.region_plus[f] : faces.region_minus[f];
       const auto [minus_is_small, plus_is_small] = in_small_part[f];
@@ -91,7 +92,7 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
   for (Index h = 0; h < horizons_.size(); ++h) {
     const double below = area_of(contacts.below, h), above = area_of(contacts.above, h);
     if (!(std::max(below, above) > 0)) continue;
-    // This horizon does not bound the region if the region lies on both sides of it, or of a horizon beyond it, over a
+    // A horizon does not bound the region if the region lies on both sides of it, or of a horizon beyond it, over a
     // larger area.
     const auto goes_on = [&](const auto& both) {
       return (below >= above ? both.first <= h : both.first >= h) && both.second > std::max(below, above);
@@ -106,8 +107,8 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
       has_under = true;
     }
   }
-  // The horizons leave one unit possible; or they contradict each other, because the region is above a horizon and
-  // below an older one. Then it is the unit just above the younger one.
+  // The horizons leave the region one possible unit. Or they contradict each other, because the region is above a
+  // horizon and below an older one: then its unit is the one just above the younger horizon.
   if (first >= last) {
     verdict.first = verdict.last = last;
     return verdict;

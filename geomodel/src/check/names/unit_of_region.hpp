@@ -15,12 +15,12 @@
 
 namespace geomesh::geomodel::checking {
 
-/// The unit of a region, or the range of neighbouring units that it may belong to.
+/// first and last of the consecutive units that are joined in the region; no_index if none is known
 struct UnitVerdict {
-  Index first = no_index, last = no_index;  ///< range of units that are joined in the region; no_index if none
+  Index first = no_index, last = no_index;  ///< first and last unit that are joined in the region; no_index if none
   /// Whether the region has nearly equal areas below and above one horizon, so that its side of it is uncertain.
   bool close = false;
-  bool open = false;  ///< whether the horizons at the region leave several units possible; the nearest was taken
+  bool open = false;  ///< whether horizons around the region leave several units possible; the nearest was taken
   Index first_possible = no_index, last_possible = no_index;  ///< of these
 };
 
@@ -40,9 +40,9 @@ class UnitFinder {
   bool is_horizon(Index surface) const { return horizon_of_surface_.contains(surface); }
 
  private:
-  /// Areas of the horizons that bound one region.
   struct Contacts {
-    /// For each horizon, the area of its faces with the region only below them, only above them, and on both sides.
+    /// For each horizon, the area of its faces that have the region only below them, only above them, and on both
+    /// sides.
     std::map<Index, double> below, above, both;
   };
   struct Horizon {
@@ -55,8 +55,9 @@ class UnitFinder {
   void add_faces(double reach);
   UnitVerdict verdict_of(const Contacts& contacts) const;
   Contacts on_vertical(const Vec3& p) const;
-  /// Narrows the units first .. last by horizons of the input that lie entirely above or below p; if two of them
-  /// contradict each other, the range is unchanged. Returns false if no horizon is above or below p.
+  /// Narrows the range of units, first .. last, by the horizons of the input above or below p. Only horizons that lie
+  /// entirely on one side of p count. If two of them contradict each other, the range is unchanged. Returns false if no
+  /// horizon counts.
   bool narrow(const Vec3& p, Index& first, Index& last) const;
   /// The units that horizons of the input above and below sampled points of a region leave possible.
   struct Narrowed {
@@ -70,7 +71,7 @@ class UnitFinder {
   std::vector<Horizon> horizons_;  ///< youngest first
   std::map<Index, Index> horizon_of_surface_;
   std::map<std::int32_t, Contacts> contacts_;
-  std::vector<TriangulatedSurface> left_;  ///< remaining triangles of each horizon in the mesh
+  std::vector<TriangulatedSurface> left_;  ///< for each horizon, its triangles that are in the mesh
 };
 
 }  // namespace geomesh::geomodel::checking

@@ -8,7 +8,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Returns ids of the triangles' corners, with equal ids for equal coordinates, because files may repeat points.
+/// Returns ids of the corners of each triangle, equal for equal coordinates, because files may repeat points.
 std::vector<std::array<Index, 3>> corners_by_place(const TriangulatedSurface& surface,
                                                    const std::vector<UncoveredTriangle>& uncovered) {
   std::map<std::array<double, 3>, Index> rows;
@@ -25,7 +25,7 @@ std::vector<std::array<Index, 3>> corners_by_place(const TriangulatedSurface& su
 
 UnionFind pieces_of(const TriangulatedSurface& surface, const std::vector<UncoveredTriangle>& uncovered) {
   const auto corners = corners_by_place(surface, uncovered);
-  std::map<std::array<Index, 2>, Index> first_at;  // for each triangle side without mesh faces: its first triangle
+  std::map<std::array<Index, 2>, Index> first_at;  // first triangle at each uncovered side, given by the side's ends
   UnionFind pieces(uncovered.size());
   for (Index row = 0; row < uncovered.size(); ++row)
     for (std::size_t i = 0; i < 3; ++i) {

@@ -14,18 +14,18 @@ namespace geomesh::geomodel::checking {
 /// A triangle of an input surface that mesh faces cover incompletely or not at all.
 struct UncoveredTriangle {
   Index triangle;
-  /// Area that mesh faces do not cover: the part beyond a surface that cuts this one, and the part that no rule
-  /// removes.
+  /// Areas of the triangle that no mesh face covers: beyond a surface that cuts this one by rule, and elsewhere.
   double beyond = 0, within = 0;
-  std::array<bool, 3> goes_on{};  ///< whether a point of side i (corner i to i + 1) is on no mesh face
+  std::array<bool, 3> goes_on{};  ///< for side i (corner i to i + 1), whether mesh faces leave a point of it uncovered
   /// Whether open edges of the mesh faces on this triangle run only along cutting surfaces or the surface's own border.
   bool ends_at_cutters = true;
   Vec3 place{};  ///< of the rest
 };
 
-/// Selects from `uncovered` (triangles that mesh faces do not cover) those that must be covered; returns their rows.
-/// Triangles form one piece if they are joined across uncovered sides. A piece may be missing in the mesh if most of
-/// its area is beyond the surface that cuts it and its mesh faces end only at cutting surfaces. O(n log n).
+/// Returns the indices in `uncovered`, a list of input triangles that mesh faces do not cover, of those that must be
+/// covered. Triangles are in one piece if they share a side that is uncovered. A piece may be missing in the mesh if
+/// most of its area is beyond a surface that cuts it by rule, and if the mesh faces around it end only at such
+/// surfaces. O(n log n).
 std::vector<Index> not_taken_as_pieces(const TriangulatedSurface& surface,
                                        const std::vector<UncoveredTriangle>& uncovered);
 

@@ -12,11 +12,12 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-constexpr double most_lost = 0.03;      // largest allowed share of the horizon's area in the volume that may be lost
-constexpr double places_across = 64;    // number of sampled points across the horizon's extent
+// Largest allowed area of the lost parts of a horizon, as a share of its area in the volume.
+constexpr double most_lost = 0.03;
+constexpr double places_across = 64;    // number of sampled points along the longest extent of a horizon
 constexpr int most_places_a_side = 16;  // of a triangle
 
-/// A surface that is queried along vertical lines.
+/// A triangulated surface with a search structure for vertical lines through it.
 struct Verticals {
   TriangulatedSurface surface;
   BoxTree tree;
@@ -77,7 +78,7 @@ class ThrowCover {
     s.triangles.resize(std::min(s.triangles.size(), checked_.specification().trims[row_].n_given_triangles));
     return s;
   }
-  /// Returns all faults of the input, with the extensions made for this horizon.
+  /// Returns all faults of the input and the triangles that extend them to separate the blocks of this horizon.
   TriangulatedSurface faults() const {
     TriangulatedSurface all;
     const auto add = [&](const std::array<Vec3, 3>& corners) {

@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Number of lattice intervals along each side of a triangle.
+/// Points tested inside an input triangle are the nodes of a lattice with this number of intervals along each side.
 inline constexpr int lattice_parts = 14;
 
 inline std::vector<PlaneTriangle> flat_faces(const CheckedFaces& checked, const std::vector<Index>& faces) {

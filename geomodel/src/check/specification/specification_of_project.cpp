@@ -89,7 +89,7 @@ class TrimReader {
   const Project& project_;
 };
 
-/// Returns the triangles that extend the faults of a horizon with throw beyond their ends.
+/// For a horizon with throw, returns the triangles that extend its faults beyond their ends.
 std::vector<std::array<Vec3, 3>> partings_of(const BuiltSurfaces& built, const std::vector<Index>& faults) {
   std::vector<std::array<Vec3, 3>> partings;
   for (const Index s : faults) {
@@ -142,7 +142,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   RefinementSettings refinement = project.mesh.refinement;
   settle_sizes(refinement, specification.volume ? specification.volume->bounds : bounds_of(inputs.surfaces),
                project.naming.attributes, Vec3{});
-  // Settings whose tolerance is reduced by the part that triangulating level sets uses up.
+  // Mesh settings whose tolerance is reduced by the part that triangulated level sets use up.
   RefinementSettings of_build = refinement;
   if (has_level_sets(project)) of_build.tolerance.take({"level sets", level_set_share * of_build.tolerance.left()});
   if (specification.volume) {
@@ -152,11 +152,11 @@ Specification specification_of_project(const std::filesystem::path& file) {
   inputs.add_throws(rules);
   grid_in_blocks(inputs.surfaces, inputs.gridded, rules);
   inputs.complete_field_parts(rules);
-  std::vector<std::string> found, doubts;  // warnings, unused here because the run that made the mesh gave them
+  std::vector<std::string> found, doubts;  // warnings, unused because the run that made the mesh gave them
   find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
-  if (built.stack.settled) {  // if horizons were put in order, regions are units in fault blocks without small parts
+  if (built.stack.settled) {  // horizons were put in order: regions are units in fault blocks, small parts are merged
     specification.names.fault_blocks = true;
     specification.names.merges_small = true;
     if (!(specification.names.min_volume > 0))
@@ -194,7 +194,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   specification.cell_arrays = refinement.cell_arrays;
   specification.size_growth = size_growth(refinement.size);
   if (refinement.refine && refinement.honour == Honour::tolerance)
-    specification.within = refinement.tolerance.requested();  // tolerances are never combined with crs.z_scale
+    specification.within = refinement.tolerance.requested();  // a tolerance and crs.z_scale are never combined
   specification.within_by_count = specification.within > 0 && refinement.tolerance.follows_sizes() &&
                                   (refinement.derive_size || refinement.target_elements > 0);
   return specification;

@@ -30,7 +30,7 @@ bool TakenByRules::is_outside(const Vec3& p) const {
   if (specification_.volume->box) return false;
   const auto& sides = specification_.volume->sides;
   bool inside = false;
-  for (std::size_t i = 0; i + 2 < sides.size(); ++i) {  // the last two sides of a volume are zmin and zmax
+  for (std::size_t i = 0; i + 2 < sides.size(); ++i) {  // the last two sides of a model volume are its bottom and top
     const Vec3 &a = sides[i].points[0], &b = sides[i].points[1];
     const double t = std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) /
                                     std::max((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), 1e-300),
@@ -118,7 +118,7 @@ bool TakenByRules::is_above_fault(Index fault, const Vec3& p) const {
     const Vec3 n = cross(b - a, c - a);
     height = dot(n, upward_[fault]) < 0 ? -dot(n, p - a) : dot(n, p - a);
   };
-  // The search distance grows until the nearest surface found is closer than any that the search may have missed.
+  // Doubles the search distance until the nearest triangle of the fault that it finds must be the nearest of all.
   Box3 bounds;
   for (const Vec3& q : s.points) bounds.add(q);
   const Vec3 size = bounds.max - bounds.min, away = p - bounds.min;
@@ -129,8 +129,8 @@ bool TakenByRules::is_above_fault(Index fault, const Vec3& p) const {
   }
 }
 
-/// Returns whether p is outside the fault block in which the field of its triangle is valid, or near a fault that
-/// bounds the block.
+/// Returns whether p is outside the fault block in which the scalar field that made its triangle is valid, or near a
+/// fault that bounds the block.
 bool TakenByRules::is_outside_domain(Index surface, Index triangle, const Vec3& p) const {
   const std::vector<FieldPart>& fields = specification_.trims[surface].fields;
   const auto part = std::find_if(fields.begin(), fields.end(), [&](const FieldPart& f) { return triangle < f.end; });

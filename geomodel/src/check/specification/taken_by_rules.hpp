@@ -14,7 +14,8 @@ namespace geomesh::geomodel::checking {
 
 class TakenByRules {
  public:
-  /// Points closer than `room` to a part that a rule removes may be missing in the mesh, too.
+  /// `room` is the distance from parts of surfaces that rules remove within which other points may also be missing in
+  /// the mesh.
   TakenByRules(const Specification& specification, double room);
 
   /// Returns whether the point p of the given triangle of the surface may be missing in the mesh, because it is outside

@@ -12,7 +12,6 @@
 
 namespace geomesh::geomodel::checking {
 
-/// A project's requests for split faults.
 struct AskedSplits {
   std::vector<std::string> surfaces;
   /// Whether there is a cohesive prism between the two sides of each face. A face with all nodes at a fault tip has

@@ -196,7 +196,8 @@ class SplitJoiner {
 
   /// Checks that cohesive prisms extend from the minus face, as seen from within the prism, to the plus face.
   void check_prisms(CheckResult& result) {
-    // Required cohesive prisms by their minus and plus faces, with the parity of the corner order of the minus face.
+    // Cohesive prisms that the project requires, by their sorted minus and plus faces. The value is whether sorting the
+    // corners of the minus face takes an odd number of exchanges.
     std::map<std::pair<Triangle, Triangle>, bool> due;
     if (asked_.cohesive)
       for (const auto& [minus, plus] : open_pairs_) due[{sorted(minus), sorted(plus)}] = is_odd(minus);
@@ -231,9 +232,9 @@ class SplitJoiner {
   const FacesFile& faces_;
   const AskedSplits& asked_;
   CheckedMesh as_split_;
-  std::vector<VertexIndex> row_;                           // for each node of the split mesh, the point after merging
-  std::set<Triangle> split_;                               // faces, by places
-  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // pairs of minus and plus faces that differ in a node
+  std::vector<VertexIndex> row_;  // by node of the file with split faults: the point after merging
+  std::set<Triangle> split_;      // faces, by places
+  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // pairs of minus and plus faces with different nodes
   JoinedFiles joined_;
 };
 

@@ -11,7 +11,7 @@ namespace {
 /// A face of a tetrahedron; `key` has its sorted vertices, and `corner` its corners in the same order.
 struct CellFace {
   Triangle key;
-  std::array<Index, 3> corner;  ///< the face's corners, corner i of tetrahedron t stored as 4 t + i
+  std::array<Index, 3> corner;  ///< corners of the face; corner i of tetrahedron t is stored as 4 t + i
 };
 
 std::vector<CellFace> faces_of(const std::vector<Tetrahedron>& cells) {

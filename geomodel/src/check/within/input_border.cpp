@@ -33,7 +33,7 @@ std::vector<Corners> corners_of(const TriangulatedSurface& surface, const std::v
   return corners;
 }
 
-/// Returns for each vertex the least index of the vertices to which triangles connect it.
+/// Returns for each vertex the smallest index among the vertices of its connected piece, joined by triangles.
 std::vector<VertexIndex> pieces_of(const std::vector<Triangle>& triangles, std::size_t n_points) {
   std::vector<VertexIndex> root(n_points);
   std::iota(root.begin(), root.end(), VertexIndex{0});

@@ -22,8 +22,8 @@ class InputBorder {
  public:
   InputBorder(const TriangulatedSurface& surface, const Allowed& allowed);
   const std::vector<Corners>& edges() const { return edges_; }
-  /// Returns whether the midpoint of a border edge lies on other triangles of the surface, up to rounding.
-  /// Precondition: row < edges().size().
+  /// Returns whether the border edge edges()[row] is a side of a crack: whether its midpoint lies on another triangle
+  /// of the surface, up to rounding.
   bool is_crack(Index row) const { return cracks_[row]; }
   /// Returns whether another part of the surface's border is near the point p of a border edge: within the allowed
   /// distance of surfaces, but farther than twice that distance when following the border. O(log n + edges within that
@@ -38,10 +38,10 @@ class InputBorder {
   std::vector<Corners> edges_;
   std::vector<std::array<VertexIndex, 2>> ends_;
   std::vector<bool> cracks_;
-  std::map<VertexIndex, std::vector<Index>> at_;  ///< border edges that end at each vertex
+  std::map<VertexIndex, std::vector<Index>> at_;  ///< by vertex of the surface: the border edges that end at it
   TriangleSet set_;                               ///< of edges_
   TriangleSet triangles_;                         ///< welded
-  std::vector<VertexIndex> piece_of_triangle_;    ///< representative vertex of the piece to which each triangle belongs
+  std::vector<VertexIndex> piece_of_triangle_;    ///< by triangle: representative vertex of its connected piece
   std::vector<VertexIndex> piece_of_edge_;
   double length_ = 0;
 };

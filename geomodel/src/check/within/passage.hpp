@@ -56,10 +56,11 @@ class FollowedSurface {
   TriangleSet set_;
 };
 
-/// Functions called at points of a line on a surface, until the line is farther than the depth from another surface.
+/// Functions that passes_through calls while it follows the line in which a plane cuts a surface, until this line is
+/// farther than the given depth from another surface.
 struct AlongLine {
-  std::function<bool(const Vec3&)> ends;  ///< returns whether to stop at a point, as if the surface ended there
-  /// Called with each examined point; successive points are at most a quarter of the depth apart.
+  std::function<bool(const Vec3&)> ends;  ///< returns whether to end the line at a point, as the surface's border does
+  /// Called with each examined point of the line; successive points are at most a quarter of the depth apart.
   std::function<void(const Vec3&)> visit;
 };
 

@@ -15,7 +15,6 @@ namespace {
 double distance(const Vec3& p, const Vec3& q) { return std::sqrt(dot(q - p, q - p)); }
 
 double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  // The segments as degenerate triangles, so that the nearest point of a segment can be queried.
   const Corners first{a, b, b}, second{c, d, d};
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& p : {a, b}) least = std::min(least, distance(p, nearest_on_triangle(p, second)));

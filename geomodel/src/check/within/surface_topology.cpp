@@ -22,7 +22,7 @@ Edge edge_of(const Triangle& t, std::size_t i) {
   return {std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])};
 }
 
-/// Relative positions along a segment at which it is sampled.
+/// Relative positions of samples on a segment of a border or of an intersection curve.
 constexpr std::array<double, 5> between{0.125, 0.3125, 0.5, 0.6875, 0.875};
 
 std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangles) {
@@ -35,7 +35,7 @@ std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangl
 struct Topology {
   std::size_t pieces = 0, borders = 0;
   long euler = 0;
-  bool manifold = true;  ///< whether no edge has more than two triangles
+  bool manifold = true;  ///< whether no edge of the surface has more than two triangles
   friend bool operator==(const Topology&, const Topology&) = default;
 };
 
@@ -213,7 +213,8 @@ void TopologyChecker::check_whole_surfaces(CheckResult& result) {
   for (Index row = 0; row < specification_.surfaces.size(); ++row) {
     if (!is_whole(row) || pairs_[row].faces.empty() || is_cracked(row)) continue;
     const Topology input = topology_of(welded(specification_.surfaces[row])), now = topology_of(faces_of(row));
-    if (!input.manifold || !now.manifold) continue;  // a surface that meets itself is divided there in the mesh
+    // A surface that meets itself is divided there in the mesh, so its topology differs.
+    if (!input.manifold || !now.manifold) continue;
     ++n_checked;
     if (input == now) continue;
     changed.add(row, specification_.surfaces[row].points[specification_.surfaces[row].triangles[0][0]]);
@@ -303,7 +304,7 @@ void TopologyChecker::check_borders(CheckResult& result) {
         "sampled, both ways");
 }
 
-/// Returns the mesh edges at which both surfaces meet, and the mesh faces that belong to both.
+/// Returns the mesh edges at which the surfaces i and j meet, and the mesh faces that belong to both.
 TriangleSet TopologyChecker::meeting_of(Index i, Index j) const {
   std::vector<Corners> shared;
   for (const auto& [e, at] : edges_) {

@@ -20,8 +20,8 @@ class UnnamedFaces {
     for (const Triangle& t : mesh.file.triangles) listed_.push_back(sorted(t));
     std::sort(listed_.begin(), listed_.end());
   }
-  /// Returns whether a mesh face may belong to a surface: it bounds the mesh, separates two regions, or is a triangle
-  /// of the file. A fault within one unit cannot be recognised otherwise.
+  /// Returns whether a mesh face may belong to a surface: it bounds the mesh, separates two regions, or is one of the
+  /// triangles in the mesh's file. Without such a triangle, a fault inside one unit cannot be recognised.
   bool may_be_surface(const FacePair& face) const {
     if (is_boundary(face) || std::binary_search(listed_.begin(), listed_.end(), face.key)) return true;
     const std::vector<std::int32_t>& region = mesh_.file.region;
@@ -75,7 +75,8 @@ class SurfacesWithin {
  private:
   void check_faces(const SurfacePair& pair);
   void check_input(const SurfacePair& pair);
-  /// Measures the part of the triangle inside the box; returns a point beyond the tolerance, if there is one.
+  /// Measures how far the part of an input triangle inside the box is from the mesh faces of its surface. Returns a
+  /// point of it that is farther than allowed, if there is one.
   std::optional<Vec3> check_in_box(const DeviationChecker& checker, const PlaneTriangle& triangle, Deviation& sum);
 
   const CheckedFaces& checked_;

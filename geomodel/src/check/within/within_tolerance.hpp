@@ -12,10 +12,10 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Largest distances between mesh faces and the input that are not faults, in the mesh's unit.
+/// Largest distances between mesh faces and input surfaces that a check accepts, in the mesh's unit.
 struct Allowed {
   double surfaces = 0;  ///< allowed distance between a surface and its input, in both directions
-  double rounding = 0;  ///< allowance for rounding of coordinates, as in the exact check of coverage
+  double rounding = 0;  ///< allowed distance due to rounding of coordinates
   double both() const { return surfaces + rounding; }
 };
 
@@ -50,8 +50,8 @@ void check_surface_topology(const CheckedFaces& checked, const Allowed& allowed,
 
 /// Checks that volumes of regions and of closed bodies differ little from those of the input (`region_volumes`,
 /// `body_volumes`): by at most the area of their movable boundary times the allowed distance. The input's volumes of
-/// regions are taken from the report beside the mesh, and must fill the box; those of bodies are computed here.
-/// Precondition: the files give names to faces.
+/// regions are taken from the report beside the mesh, and must fill the box; those of bodies are computed from the
+/// input surfaces. Precondition: the files give names to faces.
 void check_volumes_within(const CheckedFaces& checked, const Allowed& allowed,
                           const std::optional<nlohmann::json>& report, CheckResult& result);
 

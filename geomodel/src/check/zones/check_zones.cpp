@@ -20,10 +20,10 @@ namespace {
 /// whole zone's volume divided by area.
 constexpr double most_by_face = 2, most_in_all = 0.125;
 
-/// Measurements of one fault zone of the mesh.
 struct Seen {
   std::set<VertexIndex> minus, plus;  ///< nodes of the fault zone's two walls
-  /// Actual volume of the zone; required: area of the minus wall times thickness, less at ends.
+  /// Actual and required volume of the fault zone. Required is the area of the minus wall times the thickness, less at
+  /// ends.
   CompensatedSum volume, due;
   std::map<VertexIndex, std::set<VertexIndex>> edges;  ///< of its elements
 };

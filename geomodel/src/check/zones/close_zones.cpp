@@ -41,7 +41,7 @@ class ZoneCloser {
       const Vec3 p = file.before_zones[v] + Vec3{0, 0, 0};  // -0 is 0
       const auto [entry, is_new] = at.try_emplace({p.x, p.y, p.z}, static_cast<VertexIndex>(out.points.size()));
       if (is_new && !used[v]) {
-        at.erase(entry);  // only elements of fault zones, which are removed, use this point
+        at.erase(entry);  // only elements of fault zones use this point, and they are removed
         continue;
       }
       row_[v] = entry->second;
@@ -206,7 +206,7 @@ class ZoneCloser {
       if (a == no_vertex || b == no_vertex || a == b) continue;  // in a zone
       const std::string& kind = kind_of[file.edge_curve[e]];
       if (kind == "intersection" && name_of[file.edge_curve[e]].find('*') == std::string::npos)
-        continue;  // a curve along which only the two walls of a zone meet, at an end of the zone
+        continue;  // along it only the two walls of a fault zone meet, at the zone's end
       if (met.contains(file.edge_curve[e]) && within.contains({std::min(a, b), std::max(a, b)})) continue;
       edges[{kind_of[file.edge_curve[e]], name_of[file.edge_curve[e]]}].insert({std::min(a, b), std::max(a, b)});
     }

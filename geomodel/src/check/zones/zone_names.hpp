@@ -25,7 +25,7 @@ inline std::optional<std::size_t> zone_of_region(const std::string& name, const 
   return std::nullopt;
 }
 
-/// Returns the index of the fault zone for each id of a zone's region.
+/// Returns a map from the id of each region that is a fault zone to the zone's index.
 inline std::map<std::int32_t, std::size_t> zone_ids(const std::map<std::int32_t, std::string>& region_names,
                                                     const std::vector<FaultZone>& zones) {
   std::map<std::int32_t, std::size_t> ids;

@@ -34,7 +34,7 @@ void write_tetrahedra(OutputText& out, const SolverMesh& mesh) {
 
 /// Writes faces as an AVS file. With `beside_volume`, each node has as attribute its number in the tetrahedra's file.
 void write_faces(OutputText& out, const SolverMesh& mesh, bool beside_volume) {
-  std::map<VertexIndex, std::size_t> number_of;  // number of each node of the faces, in the order of the mesh
+  std::map<VertexIndex, std::size_t> number_of;  // AVS number of each node of the faces, in the order of the mesh
   for_each_cell(mesh, 2, [&](const CellGroup&, const CellBlock&, std::size_t, auto nodes) {
     for (const VertexIndex v : nodes) number_of[v] = 0;
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Loops over the cells of a solver file in the order of their labels.
+/// Loops over the cells of a solver file in the order of their labels, the numbers of their region, surface or curve.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// Calls `visit(label, block, cell, nodes)` for every cell of one dimension, in the order of SolverMesh::labels, so
-/// that cells with the same number are consecutive. `nodes` are rows of the mesh, in VTK's order.
+/// Calls `visit(label, block, cell, nodes)` for every cell of one dimension, sorted by label: the number in the file of
+/// the cell's region, surface or curve. `nodes` are rows of the mesh, in VTK's order.
 template <class Visit>
 void for_each_cell(const SolverMesh& mesh, int dimension, Visit&& visit) {
   for (const CellGroup& label : mesh.labels) {

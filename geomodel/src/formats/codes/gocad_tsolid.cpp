@@ -32,7 +32,7 @@ class SolidFile {
   }
 
  private:
-  /// Writes the volume of a region. A node is written before the first volume that uses it; later volumes refer to it.
+  /// Writes the GOCAD volume of a region. A node is written before the first volume with it; later ones refer to it.
   void write_volume(const CellGroup& label, const std::string& name) {
     out_ << "TVOLUME " << name << "\n";
     const auto each = [&](const auto& visit) {
@@ -76,7 +76,8 @@ class SolidFile {
 
   OutputText& out_;
   const SolverMesh& mesh_;
-  std::vector<std::size_t> number_;  // number of each node in the file, from 1; 0 if the node has not been written yet
+  // Number of each node in the TSolid file, from 1; 0 if the node has not been written yet.
+  std::vector<std::size_t> number_;
   std::size_t n_written_ = 0;
   std::vector<const CellBlock*> parts_;
   std::vector<SidecarGroup> sidecar_;

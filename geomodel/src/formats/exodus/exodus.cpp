@@ -53,7 +53,7 @@ class ExodusWriter {
   struct Set {
     std::int32_t id;
     std::string name;
-    std::vector<int> entries, sides;  ///< node set: rows of nodes; side set: rows of elements and numbers of sides
+    std::vector<int> entries, sides;  ///< Exodus node set: rows of nodes; side set: rows of elements, numbers of sides
   };
 
   std::string add_name(SolverNames& names, const char* type, const CellGroup& group) {
@@ -289,7 +289,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
   return {file, write_sidecar(model, sidecar, file)};
 }
 
-/// As FormatModule::write_part.
 std::vector<std::filesystem::path> write_given(const ModelMesh& mesh, const MeshParts& parts,
                                                const WriteOptions& options, const std::filesystem::path& stem) {
   return write_parts(make_solver_mesh(mesh, options), parts, stem.string() + ".e");

@@ -33,7 +33,7 @@ class NemesisWriter {
   }
 
  private:
-  /// Numbers the elements of a part in the order of its blocks.
+  /// Numbers the elements of an Exodus part in the order of its blocks.
   void number_elements() {
     for (const CellBlock& block : all_.part.mesh.blocks)
       if (is_solid(block)) rows_.insert(rows_.end(), block.rows.begin(), block.rows.end());
@@ -74,7 +74,7 @@ class NemesisWriter {
   void add_list(const std::string& name, const std::string& dimension, std::vector<int> list) {
     if (!list.empty()) file_.add_ints(name, dimension, std::move(list));
   }
-  /// Adds the lists of inner and border nodes and elements of a part; it has no external nodes in Nemesis' sense.
+  /// Adds a mesh part's lists of inner and border nodes and elements. It has no external nodes in Nemesis' sense.
   void add_loads() {
     for (const auto& [name, list] : {std::pair{"num_int_elem", &inner_elements_},
                                      {"num_bor_elem", &border_elements_},
@@ -115,7 +115,7 @@ class NemesisWriter {
       with.sides.push_back(exodus_side_opposite[face.opposite]);
     }
   }
-  /// Lists of shared nodes or faces, concatenated over the parts with which they are shared, and the end of each list.
+  /// Lists of nodes or faces shared with other mesh parts, one list for each other part, and the end of each list.
   struct Lists {
     std::vector<int> parts, ends, first, second, other;
     void add(int part, const std::vector<int>& own, const std::vector<int>& sides) {
@@ -154,7 +154,7 @@ class NemesisWriter {
   NetcdfWriter& file_;
   const ExodusPart& all_;
   const MeshPart& part_;
-  std::vector<std::size_t> rows_;  // rows in the mesh of the part's elements
+  std::vector<std::size_t> rows_;  // rows, in the whole mesh, of the elements in this Exodus part
   std::vector<int> inner_nodes_, border_nodes_, inner_elements_, border_elements_;
   std::map<int, Shared> shared_;  // by other part
 };

@@ -20,14 +20,14 @@ struct ExodusPart {
   const SolverPart& part;
 };
 
-/// Number of side sets and node sets in each file, which is the same in all parts.
+/// Number of side sets and node sets in an Exodus file, which is the same in the files of all parts of a mesh.
 struct ExodusSets {
   std::size_t sides, nodes;
 };
 
-/// Adds to the file of one part the numbers of its nodes and elements in the whole mesh, and which of them it shares
-/// with which other part. Parallel readers use these arrays to combine parts (Hennigan and Shadid, "NEMESIS I", SAND
-/// 98-2649). The file's dimensions of nodes and elements must have been added before.
+/// Adds to the Exodus file of one mesh part the numbers of its nodes and elements in the whole mesh, and which of them
+/// it shares with which other part. Parallel readers use these arrays to combine parts (Hennigan and Shadid, "NEMESIS
+/// I", SAND 98-2649). The file's dimensions of nodes and elements must have been added before.
 void add_exodus_part(NetcdfWriter& file, const ExodusPart& part, const ExodusSets& sets);
 
 }  // namespace geomesh::geomodel

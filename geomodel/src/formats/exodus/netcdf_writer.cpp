@@ -74,7 +74,8 @@ bool NetcdfWriter::put_all(int file, const std::vector<int>& ids) const {
       if (n == 0) return true;
       std::vector<std::size_t> start(variable.dimensions.size(), 0), count;
       for (const std::string& dimension : variable.dimensions) count.push_back(size_of(dimension));
-      const bool grows = !count.empty() && count[0] == 0;  // unlimited dimension (time): one whole step is written
+      // Along the unlimited dimension (time), one whole step of the variable is written.
+      const bool grows = !count.empty() && count[0] == 0;
       if (grows) count[0] = 1;
       if (!grows && !count.empty()) {
         start[0] = first;

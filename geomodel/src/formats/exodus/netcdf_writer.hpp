@@ -36,7 +36,7 @@ class NetcdfWriter {
   void add_global(const std::string& name, int value) { ints_.emplace_back(name, value); }
   void add_global(const std::string& name, float value) { floats_.emplace_back(name, value); }
 
-  /// Returns false if the file cannot be written, or if a variable is larger than the format allows.
+  /// Writes the netCDF file. Returns false if it cannot be written, or if a variable is too large for the format.
   bool write(const std::filesystem::path& file) const;
 
  private:

@@ -92,7 +92,7 @@ class MedWriter {
 
   /// Collects the MED families of nodes: one for each combination of groups to which a node belongs.
   void collect_node_families() {
-    // For each node, the groups to which it belongs; nodes in no group are not included.
+    // For each node, the MED groups to which it belongs; nodes in no group are not included.
     std::map<VertexIndex, std::vector<std::size_t>> sets_of;
     SolverNames give(name_limit_med);
     const auto add = [&](const CellGroup& group, const std::vector<VertexIndex>& nodes) {
@@ -119,8 +119,8 @@ class MedWriter {
     return bytes;
   }
 
-  /// Writes rows of `width` numbers in portions, because a copy of all rows would be as large as the mesh. `add(row,
-  /// list)` appends the numbers of a row to `list`, `put(filter, list)` writes the listed numbers.
+  /// Writes rows of `width` numbers to a MED file in portions, because a copy of all would be as large as the mesh.
+  /// `add(row, list)` appends a row's numbers to `list`; `put(filter, list)` writes the rows selected by the filter.
   template <class Number, class Add, class Put>
   void put_rows(std::size_t n, std::size_t width, Add&& add, Put&& put) {
     constexpr std::size_t at_once = 1 << 16;
@@ -182,7 +182,7 @@ class MedWriter {
       put_cells_of(shape);
   }
   void put_cells_of(CellShape shape) {
-    // cell blocks with the requested shape, and where the cells of each block end
+    // blocks of cells of this shape, and number of cells up to the end of each block
     std::vector<std::size_t> blocks, ends;
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
       if (mesh_.blocks[b].shape != shape || mesh_.blocks[b].n_cells() == 0) continue;

@@ -55,7 +55,7 @@ class GridFile {
     const auto count = static_cast<std::int64_t>(n);
     h5_.put(std::string("VTKHDF/") + name, H5T_NATIVE_INT64, &count, 1, 1);
   }
-  /// Writes an array to the file. The numbers in `before` precede its values.
+  /// Writes an array to the VTKHDF file. The integers in `before` are written ahead of the array's values.
   void put(const std::string& name, const VtkArray& array, hid_t type, const std::vector<std::int64_t>& before) {
     const auto width = static_cast<std::size_t>(array.components);
     h5_.put_pieces(name, type, array.n_values / width + before.size(), width, [&](const auto& give) {
@@ -101,7 +101,7 @@ class GridFile {
   const VtkDocument& document_;
 };
 
-/// Returns the number of bytes of all arrays (with indices as 64-bit numbers), and the number of arrays.
+/// Returns the number of bytes of all arrays of the VTKHDF file (with indices as 64-bit numbers), and their number.
 std::pair<std::size_t, std::size_t> payload_of(const VtkDocument& document) {
   std::size_t bytes = 0, n = document.fields.size() + 1;
   for (const VtkSection& section : document.sections)

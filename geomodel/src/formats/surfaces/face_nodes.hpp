@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 struct FaceNodes {
   std::vector<VertexIndex> rows;  ///< rows in the mesh of the nodes of faces, ascending
-  /// For each point of the mesh: its position in `rows`; undefined for points that are not in `rows`.
+  /// For each point of the mesh: its position in `rows` (the nodes of some faces); undefined for other points.
   std::vector<std::uint32_t> number_of;
 };
 

@@ -53,7 +53,7 @@ class Scene {
   float coordinate(VertexIndex v, std::size_t k) const { return static_cast<float>(mesh_.node(v)[k] - centre_[k]); }
   std::size_t position_bytes() const { return 3 * sizeof(float) * nodes_.rows.size(); }
 
-  /// Adds the materials: regions by id, then surfaces in the order of their labels.
+  /// Adds the materials of the glTF file: regions by id, then surfaces in the order of their labels.
   void add_materials() {
     Palette units(Palette::Of::units);
     for (const Region& region : mesh_.source->regions) add_material(region.name, units.colour_of(region.name));
@@ -100,7 +100,7 @@ class Scene {
       if (label.dimension == 2) add_surface(label, names.give(label.full_name));
   }
   void add_surface(const CellGroup& label, const std::string& name) {
-    std::size_t own = SIZE_MAX;  // material of the surface's parts inside the mesh
+    std::size_t own = SIZE_MAX;  // material of the parts of the glTF surface that are inside the mesh
     ordered_json parts = ordered_json::array();
     for (const std::size_t b : label.blocks) {
       const CellBlock& block = mesh_.blocks[b];

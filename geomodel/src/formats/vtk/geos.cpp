@@ -41,7 +41,7 @@ Fracture fracture_of(const ModelMesh& mesh, std::int32_t minus_side,
     if (std::find(set.begin(), set.end(), minus_side) == set.end()) continue;
     const Triangle& v = mesh.faces[f].vertices;
     const auto is_doubled = [&](VertexIndex a) { return nodes_at.at(place_of(mesh.points[a])).size() > 1; };
-    // All nodes of the face are on the tip of the fault, where the fault does not open to a zone.
+    // A face with all nodes on the tip of the fault is left out, because the fault does not open to a zone there.
     if (std::none_of(v.begin(), v.end(), is_doubled)) continue;
     fracture.faces.push_back(f);
     for (const VertexIndex a : v) {

@@ -24,20 +24,21 @@ class VtuLayout {
   VtuLayout(const ModelMesh& mesh, const WriteOptions& options, const MeshPart* part = nullptr);
 
   std::size_t n_nodes() const { return n_nodes_; }
-  /// Returns the row in the mesh of a node of the file. Midpoints follow the points.
+  /// Returns the row in the mesh of a node of the VTU file. Midpoints follow the points.
   std::size_t node_row(std::size_t i) const { return part_ ? part_->nodes[i] : i; }
   const MeshPart* part() const { return part_; }
 
   std::size_t n_cells() const { return first_cell_.back(); }
   std::size_t n_entries() const { return first_entry_.back(); }
-  /// Calls `f(kind, row)` for a cell of the file: its kind, and its row among the cells of that kind in the mesh.
+  /// Calls `f(kind, row)` for a cell of the VTU file: its kind (face ...), and its row among the mesh's cells of it.
   template <class F>
   auto visit(std::size_t cell, F&& f) const {
     const std::size_t k = find(first_cell_, cell), row = cell - first_cell_[k];
     return f(static_cast<VtuCells>(k), part_ ? part_->cells[row] : row);
   }
   std::uint8_t type(std::size_t cell) const;
-  std::int64_t end_of(std::size_t cell) const;  ///< VTK offset of a cell, which is the end of its nodes
+  /// VTK offset of a cell: the end of its nodes in the list of all cells' nodes.
+  std::int64_t end_of(std::size_t cell) const;
   /// number in the file of the node at position `entry` in the concatenated node lists of all cells
   VertexIndex node(std::size_t entry) const;
   /// Id of the region, cohesive layer, surface, curve or point to which a cell belongs.

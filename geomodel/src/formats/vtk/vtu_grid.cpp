@@ -39,7 +39,7 @@ VtkSection cells_section(const VtuLayout& layout) {
 /// Returns the number that is subtracted from ids: OpenGeoSys counts materials from 0; in other files 0 means none.
 std::int32_t first_id(const WriteOptions& options) { return options.region_array == "MaterialIDs" ? 1 : 0; }
 
-/// Makes a cell array that has values for tetrahedra; other cells have NaN.
+/// Makes a VTU cell array that has values for tetrahedra; other cells have NaN.
 template <class F>
 VtkArray tetrahedron_values(std::string name, const VtuLayout& layout, F value) {
   return vtk_array<double>(std::move(name), layout.n_cells(), [&layout, value](std::size_t cell) {
@@ -49,7 +49,7 @@ VtkArray tetrahedron_values(std::string name, const VtuLayout& layout, F value) 
   });
 }
 
-/// Makes a cell array that has values for faces; other cells have the value `otherwise`.
+/// Makes a VTU cell array that has values for faces; other cells have the value `otherwise`.
 VtkArray face_values(std::string name, const ModelMesh& mesh, const VtuLayout& layout,
                      std::int32_t ModelMesh::Face::*member, std::int32_t otherwise) {
   return vtk_array<std::int32_t>(std::move(name), layout.n_cells(),

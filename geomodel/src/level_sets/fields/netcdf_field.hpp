@@ -13,16 +13,16 @@ namespace geomesh::geomodel {
 
 /// A variable of a netCDF or HDF5 file with three dimensions.
 struct NetcdfField {
-  std::string name;  ///< name of the variable; empty if none was found
-  /// Coordinates along x, y and z as in the file; they must be ascending and evenly spaced.
+  std::string name;  ///< name of the netCDF or HDF5 variable; empty if the file has no suitable one
+  /// Coordinates along the variable's axes x, y and z as in the file; they must be ascending and evenly spaced.
   std::array<std::vector<double>, 3> axes;
-  std::vector<double> values;      ///< values of the variable with x varying fastest; NaN where there is no value
+  std::vector<double> values;      ///< values of the 3D variable with x varying fastest; NaN where there is none
   std::vector<std::string> names;  ///< names of all variables of the file with three dimensions
 };
 
 struct NetcdfFieldModule {
   const char* version;  ///< GEOMESH_MODULE_VERSION
-  /// Reads the three-dimensional variable of this name (with or without its groups); if the name is empty, the only
+  /// Reads the 3D netCDF or HDF5 variable of this name (with or without its groups); if the name is empty, the only
   /// one. Throws Error{invalid_input} if the file is damaged, or if an axis has no coordinates or uneven steps.
   NetcdfField (*read)(const std::filesystem::path& file, const std::string& name);
 };

@@ -43,7 +43,8 @@ GridField::Lattice lattice_of(const InputFile& file, const std::vector<Vec3>& po
   if (points.empty()) return lattice;
   const Vec3 first = points.front(), last = points.back();
   std::size_t step = 1;
-  for (std::size_t a = 0; a < 3; ++a) {  // counts nodes along the axis until the coordinate of the first point recurs
+  // A grid has as many nodes along an axis as points are passed until the first point's coordinate recurs.
+  for (std::size_t a = 0; a < 3; ++a) {
     std::size_t n = 1;
     while (n * step < points.size() && points[n * step][a] != first[a]) ++n;
     lattice.n[a] = n;

@@ -11,7 +11,6 @@
 
 namespace geomesh::geomodel {
 
-/// A scalar field that is linear in each tetrahedron.
 struct TetrahedralField {
   std::vector<Vec3> points;
   std::vector<double> values;  ///< per point

@@ -32,7 +32,7 @@ struct Quadratic {
     return {*low, *high};
   }
 
-  /// Returns the range of the function's Bernstein coefficients, which contains all its values in the cell.
+  /// Returns the range of the quadratic function's Bernstein coefficients, which contains all its values in the cell.
   Range range() const {
     Range range = corner_range();
     for (std::size_t e = 0; e < 6; ++e) {
@@ -49,9 +49,9 @@ struct Quadratic {
     return greatest;
   }
 
-  /// Returns the least slope of the quadratic function along `direction` over the cell: the slope of a quadratic
-  /// function is linear, so it is least at a corner. At corner i the slope is that of the linear function whose value
-  /// at corner j is raised by 4 bend(i, j).
+  /// Returns the least slope along `direction`, in one cell, of the quadratic function that interpolates the field. The
+  /// slope is linear, so it is least at a corner. At corner i it is the slope of the linear function whose value at
+  /// each corner j is raised by four times the bend of edge ij (the value at its midpoint minus the mean at its ends).
   double least_slope(const Vec3& direction) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t at = 0; at < 4; ++at) {

@@ -20,7 +20,7 @@ struct AdaptLimits {
 };
 
 struct AdaptResult {
-  /// Bounding boxes of cells of the least edge length in which an isosurface may still have several parts.
+  /// Bounding boxes of background cells too small to bisect in which an isosurface may still have several parts.
   std::vector<Box3> unresolved;
 };
 
@@ -35,7 +35,7 @@ struct AdaptResult {
 AdaptResult adapt(BackgroundMesh& mesh, const ScalarField& field, const std::vector<double>& values,
                   const AdaptLimits& limits);
 
-/// Returns the linear function that has these values at the corners; its gradient is 0 if the corners lie in a plane.
+/// Returns the linear function with these values at a tetrahedron's corners; its gradient is 0 if they are coplanar.
 LinearFunction linear_in(const std::array<Vec3, 4>& corners, const std::array<double, 4>& values);
 
 }  // namespace geomesh::geomodel

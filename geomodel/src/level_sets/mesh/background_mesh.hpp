@@ -63,12 +63,13 @@ class BackgroundMesh {
   void conform();
   void evaluate();
 
-  const ScalarField* field_ = nullptr;  ///< gives the values at new vertices; null for a mesh that is never bisected
+  const ScalarField* field_ = nullptr;  ///< scalar field for values at new vertices; null if the mesh is never bisected
   Box3 box_;
   std::vector<Vec3> points_;
   std::vector<double> values_;
   std::vector<std::uint8_t> sides_;
-  std::vector<char> is_vertex_;    ///< for each point: false for the midpoint of an edge that was not bisected
+  /// For each point of the mesh: false for the midpoint of an edge that was not bisected.
+  std::vector<char> is_vertex_;
   std::vector<char> is_near_cut_;  ///< for each point: whether it is an end of an edge that was just bisected
   std::size_t n_evaluated_ = 0;
   std::vector<Cell> cells_;

@@ -46,12 +46,13 @@ class CrossedEdges {
   void solve(std::size_t row_of_value, const MovedVertices& vertices, const ScalarField* field,
              const std::vector<double>& values, const CrossedEdges* known);
   bool is_known(const Edge& edge, const MovedVertices& vertices) const;
-  /// Returns the part of an edge in which an isosurface crosses it: above the crossing of the previous isosurface.
+  /// Returns the part of a mesh edge in which an isosurface crosses it. This part begins where the isosurface of the
+  /// next lower value crosses the edge.
   Bracket bracket(std::size_t row_of_value, std::size_t edge, const MovedVertices& vertices,
                   const std::vector<double>& values) const;
 
   std::vector<Edge> edges_;               ///< by their ends
-  std::vector<std::vector<Vec3>> roots_;  ///< crossing of each isosurface with each edge; undefined where there is none
+  std::vector<std::vector<Vec3>> roots_;  ///< point where each isosurface crosses each mesh edge; undefined if nowhere
 };
 
 }  // namespace geomesh::geomodel

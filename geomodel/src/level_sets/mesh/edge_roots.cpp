@@ -20,7 +20,7 @@ struct Search {
   std::size_t row;
   double low = 0, high = 1, f_low, f_high;
   double least_f;      ///< values of f (field minus isovalue) closer to zero are due to rounding
-  int last_moved = 0;  ///< end of the search interval that the last step moved: -1 for low, 1 for high
+  int last_moved = 0;  ///< end of the root's search interval that the last step moved: -1 for low, 1 for high
   bool is_exact = false;
 
   bool is_done() const { return is_exact || high - low <= rounding; }

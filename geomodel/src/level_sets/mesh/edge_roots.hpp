@@ -23,7 +23,7 @@ struct Bracket {
 /// the field on all segments in one call.
 std::vector<Vec3> find_roots(const ScalarField& field, std::vector<Bracket> brackets);
 
-/// Returns the root on each segment of the linear function between its ends.
+/// Returns, for each segment, the root of the linear function between its ends.
 std::vector<Vec3> linear_roots(const std::vector<Bracket>& brackets);
 
 }  // namespace geomesh::geomodel

@@ -67,7 +67,7 @@ void move_vertices(const BackgroundMesh& mesh, const CrossedEdges& edges, const 
                    MovedVertices& vertices) {
   const std::vector<Target> targets = find_targets(mesh, edges, values, vertices);
   const auto has_target = [&](VertexIndex v) { return std::isfinite(targets[v].distance2); };
-  // For each vertex to be moved, where the list of its cells begins in `about`.
+  // For each mesh vertex that will be moved: where its cells begin in `about`, the concatenated lists of cells.
   std::vector<std::size_t> begin(mesh.n_points() + 1, 0);
   for (const BackgroundMesh::Cell& cell : mesh.cells())
     for (const VertexIndex v : cell.v) begin[v + 1] += has_target(v);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_readers/netcdf/hdf5_groups.hpp"
 
-#define H5_USE_110_API  // objects have addresses instead of tokens, in every version of HDF5
+#define H5_USE_110_API  // in interface 1.10, which all later HDF5 libraries have, objects have addresses, not tokens
 #include <hdf5.h>
 
 #include <fstream>
@@ -13,7 +13,8 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t deepest =
-    16;  // Largest depth of nested groups, which suffices for data sets. HDF5's own calls are nested as deep.
+    // Limit on the depth of nested HDF5 groups, which suffices for data sets. HDF5's own calls are nested as deep.
+    16;
 
 class Walk {
  public:
@@ -55,9 +56,9 @@ class Walk {
     if (above_.size() > deepest)
       return refuse("its group " + here + " lies more than " + std::to_string(deepest) +
                     " groups deep: copy the arrays into a file with fewer groups");
-    // Fewest bytes of a link and its group in a file in which each group has one link. A file with more links than this
-    // allows is refused, because the library reads a group again along each link that leads to it, so that nested
-    // double links multiply.
+    // Fewest bytes of a link and its group in an HDF5 file in which each group has one link. A file with more links
+    // than this allows is refused, because the library reads a group again along each link that leads to it, so that
+    // nested double links multiply.
     constexpr std::uintmax_t least_bytes = 64;
     if (++n_visits_ > bytes_ / least_bytes)
       return refuse("its groups are linked to each other so often that reading them would not end, at " + here +
@@ -76,10 +77,10 @@ class Walk {
     found.fault = why;
     return false;
   }
-  /// Returns the path of the group that is being read, with a slash at its end; "" for the root.
+  /// Returns the path of the HDF5 group that is being read, with a slash at its end; "" for the root group.
   std::string path() const { return above_.size() < 2 ? "" : above_.back().first + "/"; }
 
-  /// Names and addresses of the groups from the root to the one that is being read.
+  /// Names and addresses of the HDF5 groups from the root to the group that is being read.
   std::vector<std::pair<std::string, haddr_t>> above_;
   std::uintmax_t bytes_, n_visits_ = 0;
 };

@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 struct Hdf5Groups {
   std::string fault;  ///< reason why the file must not be opened, and what the user can do; empty if it may be opened
-  std::set<std::string> unwritten;  ///< paths, as "group/array", of arrays that have no value in the file
+  std::set<std::string> unwritten;  ///< paths, as "group/array", of HDF5 arrays that have no value in the file
 };
 
 /// Checks the groups of an HDF5 file, reading each one once, identified by its address in the file. For a file of

@@ -40,7 +40,6 @@ class Header {
   }
 
  private:
-  /// The part of each netCDF record that belongs to one variable.
   struct PartOfRecord {
     std::uint64_t begin, bytes;
   };
@@ -69,7 +68,7 @@ class Header {
     }
   }
 
-  /// Checks that all records lie in the file. The number of records is unknown in a file that was written as a stream.
+  /// Checks that all records lie in the netCDF file. A file written as a stream does not say how many records it has.
   void check_records() const {
     const std::uint64_t unknown = width_ == 8 ? ~std::uint64_t{0} : 0xFFFFFFFF;
     if (n_records_ == 0 || n_records_ == unknown || parts_.empty()) return;
@@ -102,13 +101,13 @@ class Header {
     take(bytes);
     file_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
   }
-  /// Reads a count of items. Throws if the rest of the file is shorter than `least_bytes` for each item.
+  /// Reads a count in a netCDF header. Throws if less of the file is left than `least_bytes` for each item counted.
   std::uint64_t count(std::uint64_t least_bytes) {
     const std::uint64_t n = number(width_);
     if (n > left_ / least_bytes) throw Damaged{};
     return n;
   }
-  /// Reads the tag and length of a list in the header; returns the length, which is 0 if the list is absent.
+  /// Reads the tag and the length of a list in a netCDF header. Returns the length, which is 0 if the list is absent.
   std::uint64_t begin_list(std::uint64_t tag, std::uint64_t least_bytes) {
     const std::uint64_t found = number(4), n = count(least_bytes);
     if (found != tag && (found != 0 || n != 0)) throw Damaged{};
@@ -129,7 +128,7 @@ class Header {
   std::uint64_t bytes_, left_;  // number of bytes of the file, and of the part that was not read yet
   unsigned width_, width_of_offset_;
   std::uint64_t n_records_ = 0;
-  std::vector<std::uint64_t> lengths_;  // lengths of the file's dimensions; 0 for the unlimited one
+  std::vector<std::uint64_t> lengths_;  // lengths of the netCDF file's dimensions; 0 for the unlimited one
   std::vector<PartOfRecord> parts_;
 };
 
@@ -140,7 +139,7 @@ std::string netcdf_header_fault(const std::filesystem::path& path) {
   std::array<char, 4> magic{};
   if (!file.read(magic.data(), magic.size()) || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F') return "";
   const auto version = static_cast<unsigned>(magic[3]);
-  if (version != 1 && version != 2 && version != 5) return "";  // the netCDF library refuses other versions
+  if (version != 1 && version != 2 && version != 5) return "";  // the netCDF library refuses all but CDF-1, -2, -5
   try {
     Header(file, std::filesystem::file_size(path), version).check();
   } catch (const Damaged&) {

@@ -33,7 +33,7 @@ bool NetcdfReader::has(const std::string& variable) const {
 }
 
 std::size_t NetcdfReader::dimension(const std::string& name) const {
-  // Largest ratio of deflate compression. A file is too short for its count of numbers if it cannot hold them even so.
+  // Largest ratio of deflate compression. A netCDF file that is shorter than its numbers divided by this is damaged.
   constexpr std::size_t most_packed = 1032;
   int id = 0;
   std::size_t n = 0;

@@ -24,15 +24,15 @@ class NetcdfReader {
 
   [[noreturn]] void refuse(const std::string& why) const;
   bool has(const std::string& variable) const;
-  /// Returns the length of a dimension; 0 if there is no such dimension.
+  /// Returns the length of a netCDF dimension; 0 if the file has no such dimension.
   std::size_t dimension(const std::string& name) const;
   bool is_single_precision(const std::string& variable) const;
-  /// Returns the n numbers of a variable; if it has time steps, those of the first.
+  /// Returns the n numbers of a netCDF variable; of a variable with time steps, those of the first step.
   std::vector<double> doubles(const std::string& variable, std::size_t n) const;
   std::vector<std::int64_t> integers(const std::string& variable, std::size_t n) const;
-  /// Returns the n texts of a variable, one for each row; n empty texts if there is no such variable.
+  /// Returns the n texts of a netCDF variable, one for each row; n empty texts if there is no such variable.
   std::vector<std::string> texts(const std::string& variable, std::size_t n) const;
-  /// Returns an attribute of a variable; an empty text if there is no such attribute.
+  /// Returns an attribute of a netCDF variable; an empty text if the variable does not have it.
   std::string attribute(const std::string& variable, const std::string& name) const;
 
  private:

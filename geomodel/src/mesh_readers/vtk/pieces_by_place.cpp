@@ -76,7 +76,7 @@ class PlaceMerger {
 
   MeshFile mesh_;
   bool has_regions_ = false;
-  std::vector<VertexIndex> rows_;  // row in the mesh of each point of the piece
+  std::vector<VertexIndex> rows_;  // for each point of the piece of a mesh: its row in the whole mesh
   std::map<std::array<std::uint64_t, 3>, VertexIndex> row_at_;
 };
 

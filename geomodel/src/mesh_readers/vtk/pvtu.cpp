@@ -70,8 +70,8 @@ bool is_ghost(const MeshFile& piece, std::size_t t) {
 
 class PieceMerger {
  public:
-  /// Global numbers must count the contents of the pieces without gaps, so they cannot require more memory than the
-  /// files.
+  /// Prepares to merge the pieces (files) of a mesh in parts. Global numbers must count all points and cells of the
+  /// pieces without gaps, so that they cannot require more memory than the files.
   PieceMerger(const std::filesystem::path& path, const std::vector<Piece>& pieces) : path_(path) {
     std::size_t n_cells = 0;
     for (const Piece& piece : pieces) {
@@ -159,7 +159,7 @@ class PieceMerger {
   }
 
   const std::filesystem::path& path_;
-  std::size_t most_points_ = 0;  // sum of the numbers of points of all pieces, which share some points
+  std::size_t most_points_ = 0;  // sum of the numbers of points of all pieces of the mesh, some of them in several
   MeshFile mesh_;
   std::vector<bool> is_known_;  // by point
 };

@@ -53,12 +53,12 @@ void take_groups(const VtkTable& field, MeshFile& mesh, const std::filesystem::p
   for (std::size_t i = 0; i < names.size() && i < lists.size(); ++i) mesh.region_groups[names[i]] = lists[i];
 }
 
-/// Numbers of the cells that are kept although they are not solids: triangles and edges.
+/// Cells of a VTK file that are kept besides its volume cells: numbers of its triangles and of its edges.
 struct LowerCells {
   std::vector<std::size_t> triangles, edges;
 };
 
-/// Reads one cell that is not a tetrahedron: a triangle, an edge or a prism.
+/// Reads one cell of a VTK file that is not a tetrahedron: a triangle, an edge or a prism.
 void take_other(const VtkData& grid, std::size_t cell, MeshFile& mesh, LowerCells& lower) {
   const std::uint8_t type = grid.cells.types[cell];
   const auto p = grid.cells.of(cell);
@@ -104,7 +104,8 @@ void take_ids(const VtkData& grid, const LowerCells& lower, MeshFile& mesh) {
     break;
   }
   if (mesh.region_array == "MaterialIDs" && !names_of(grid.field_data, "region").empty())
-    for (std::int32_t& id : mesh.region) ++id;  // OpenGeoSys counts regions from 0, the names in the file from 1
+    // OpenGeoSys numbers regions from 0; the ids of region names begin with 1.
+    for (std::int32_t& id : mesh.region) ++id;
 }
 
 void take_point_data(const VtkData& grid, MeshFile& mesh) {

@@ -108,12 +108,12 @@ CurvesFile take_curves(const VtkData& data, const std::filesystem::path& path) {
   return curves;
 }
 
-/// Extracts the cells of one dimension from a single grid. The result has the points and names of the grid and the form
-/// of a separate file.
+/// Extracts the cells of one dimension from a single grid (a VTU file with cells of all dimensions). The result has the
+/// points and names of the grid, and the form of a separate file of faces or curves.
 class PartOfGrid {
  public:
-  /// Prepares to extract cells of one dimension from `grid`. Their array of ids is called `renamed` in the grid, and
-  /// gets the name `id_name`.
+  /// Prepares to extract the cells of one dimension from `grid`. The array with the ids of their surfaces or curves is
+  /// called `renamed` in the grid, and `id_name` in the result.
   PartOfGrid(const VtkData& grid, const char* renamed, const char* id_name)
       : grid_(grid), renamed_(renamed), id_name_(id_name) {
     data_.kind = VtkData::Kind::poly;
@@ -140,7 +140,7 @@ class PartOfGrid {
     for (const VtkColumn& column : grid_.cell_data.columns) {
       if (column.is_text() || column.name.empty()) continue;
       const bool is_id = column.name == renamed_;
-      // OpenGeoSys counts regions from 0, the names in the file from 1
+      // OpenGeoSys numbers regions from 0; the ids of region names begin with 1
       const int first = is_id && renamed_ == "MaterialIDs" ? 1 : 0;
       const std::vector<std::int32_t> all = integers_of(column);
       std::vector<std::int32_t> values;

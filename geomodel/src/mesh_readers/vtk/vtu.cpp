@@ -56,8 +56,8 @@ void add_faces(const checking::FacesFile& file, const std::vector<VertexIndex>& 
   }
 }
 
-/// Returns the index in the mesh of each point of a file beside it. Returns nothing if the file has no such indices, as
-/// files of other programs do. Throws Error{invalid_input} if a point is another one than that of the mesh.
+/// Returns the row in the mesh of each point of a file of faces or curves beside it. Returns nothing if the file has no
+/// such rows, as files of other programs. Throws Error{invalid_input} if a point differs from that of the mesh.
 std::optional<std::vector<VertexIndex>> indices_in_mesh(const std::vector<Vec3>& points,
                                                         const std::vector<std::int32_t>& numbers, const RawMesh& mesh,
                                                         const std::filesystem::path& file) {

@@ -28,7 +28,7 @@ bool is_axis_aligned(const PolygonSoup& soup, const std::vector<Index>& facets) 
 }
 
 struct Border {
-  std::map<VertexIndex, VertexIndex> next;  ///< next vertex along the border, with the patch on its left
+  std::map<VertexIndex, VertexIndex> next;  ///< by border vertex: the next one, with the patch on the left
   bool simple = true;  ///< whether no point of the border occurs twice and all facets have one orientation
   std::vector<std::pair<VertexIndex, VertexIndex>> segments;
 };

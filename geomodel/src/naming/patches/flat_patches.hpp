@@ -18,7 +18,7 @@ struct FlatPatch {
   std::vector<std::vector<VertexIndex>> loops;  ///< outer, holes
   /// Segments inside the patch, where other surfaces end on it.
   std::vector<std::pair<VertexIndex, VertexIndex>> segments;
-  std::vector<VertexIndex> points;  ///< points inside the patch that are on no segment
+  std::vector<VertexIndex> points;  ///< vertices inside the patch that are on no segment
 };
 
 /// Returns, by patch number, the patches that can be represented as polygons: their facets belong to one side of the

@@ -20,7 +20,7 @@ struct MeshCurves {
     Index curve;       ///< row of `curves`
   };
   std::vector<SoupCurve> curves;
-  std::vector<Edge> edges;  ///< An edge that is on several curves has one entry for each of them.
+  std::vector<Edge> edges;  ///< Edges of curves. An edge that is on several curves occurs once for each of them.
 };
 
 /// Determines patches and curves of surfaces from the faces at each edge of the mesh, and sets the patch number of each

@@ -12,7 +12,6 @@ const std::vector<std::string>& stage_names() {
   return names;
 }
 
-/// Returns the project with settings for a coarse mesh, as `--preview` requests.
 static Project preview_of(Project project) {
   project.mesh.refinement = preview_settings();
   project.mesh.options.recover.mode = MeshMode::constrained;

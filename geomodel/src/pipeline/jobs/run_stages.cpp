@@ -65,7 +65,6 @@ std::string described_with_size(const Inputs& inputs, const RefinementSettings& 
 /// shares only affect the displayed progress.
 constexpr double verified_share = 0.65, measured_share = 0.9;
 
-/// Runs the stage verify: returns the named mesh, and measures it for the report.
 ModelMesh verify(const ModelRecords& model, const Meshed& meshed, const Zones& zones, const WriteOptions& options,
                  Report& report, Journal& journal) {
   const StageScope stage(journal.context(), "verify");
@@ -145,7 +144,7 @@ ModelItems items_of(const Error& error, const Arranged& arranged) {
   if (const std::string names = surfaces_of_facets(facets, arranged); !names.empty())
     message += " (surfaces: " + names + ")";
   if (!error.context().excerpt || plan.stem.empty()) {
-    // There are no surroundings of the failure to view, or no folder for the files.
+    // No files can be written: the error does not contain the mesh around the failure, or the output folder is unknown.
   } else if (stop_after == "recover") {
     make_output_folder(plan);
     message += ". The tetrahedra and constraints about the place are in";

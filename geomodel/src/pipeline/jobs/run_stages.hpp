@@ -10,9 +10,9 @@
 
 namespace geomesh::geomodel {
 
-/// Runs `read`, then the stages from build to write. If a stage to stop after was requested, the run ends there with
-/// the report; after `intersect` it also writes the polygon soup and its problematic spots for viewing. No mesh is
-/// written if verification finds a fault (InternalError) or an error is thrown.
+/// Runs `read`, then the stages from build to write. If the user requests to stop after a stage, the run ends there
+/// with the report; after `intersect` it also writes the polygon soup and its problematic spots for viewing. No mesh is
+/// written if verification finds a defect (InternalError) or an error is thrown.
 JobResult run_stages(const OutputPlan& plan, StageRecorder& recorder, const std::function<Inputs(Journal&)>& read);
 
 /// A mesh that was named and verified, but is not yet written to files. `refined.mesh` has the tetrahedra of `mesh`, in

@@ -17,7 +17,6 @@ constexpr const char* no_mesh_for_solvers =
 
 constexpr std::size_t most_units_listed = 6;
 
-/// A unit and its regions, which have the same name before suffixes.
 struct Unit {
   std::string name;
   std::vector<const Region*> regions;

@@ -12,8 +12,8 @@
 namespace geomesh::geomodel {
 
 struct Summary {
-  std::vector<std::string> lines;    ///< number of elements, volumes of units, size and tolerance used, verdict
-  std::vector<std::string> details;  ///< lines on all regions, on element shapes, and on what would make solvers fail
+  std::vector<std::string> lines;    ///< always shown: numbers of elements, volumes of units, size, tolerance, verdict
+  std::vector<std::string> details;  ///< shown on request: all regions, element shapes, elements that solvers reject
 };
 
 /// Returns the summary of a report whose mesh, quality and verdicts are set. `refinement` has the requested settings.

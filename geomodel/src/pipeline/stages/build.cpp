@@ -46,7 +46,6 @@ void scale_z(Built& model) {
   }
 }
 
-/// Returns the part of the record of stage build that no rule changes: everything except the surfaces.
 Built with_settings_of(const Inputs& inputs) {
   Built built;
   built.wells = inputs.wells;

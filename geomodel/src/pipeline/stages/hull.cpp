@@ -28,7 +28,7 @@ TriangulatedSurface convex_hull_surface(const std::vector<TriangulatedSurface>& 
     if (!delaunay.mesh.is_live(c)) continue;
     const int ghost = delaunay.mesh.ghost_index(c);
     if (ghost < 0) continue;
-    // The corners are counter-clockwise as seen from the infinite vertex, so that the normal points outward.
+    // Corners of hull faces are counter-clockwise as seen from the infinite vertex, so that normals point outward.
     const auto& f = face_vertices[static_cast<std::size_t>(ghost)];
     const auto& v = delaunay.mesh.vertices(c);
     hull.triangles.push_back({row_of(v[f[0]]), row_of(v[f[1]]), row_of(v[f[2]])});

@@ -138,8 +138,9 @@ std::vector<std::vector<Index>> parts_that_may_go(const Built& built) {
   return parts;
 }
 
-/// Returns for each continued surface the walls at which it ends. Only walls that are complete in the arrangement
-/// count: faults that overshoot the ones on which they end are cut in the soup, as are the surfaces that end on them.
+/// Returns for each continued surface the walls (surfaces) at which it ends. Only walls that the arrangement contains
+/// completely count. Faults that overshoot the ones at which they end are cut in the polygon soup, and so are the
+/// surfaces that end at them.
 std::vector<std::vector<Index>> walls_of_continuations(const BuiltRows& rows) {
   std::vector<std::vector<Index>> walls = rows.continued_to;
   for (std::size_t s = 0; s < walls.size(); ++s) {

@@ -53,9 +53,9 @@ SolverVerdict judge_solvers(const Meshed& meshed, const ModelMesh& mesh, unsigne
   const std::vector<double> velocity = velocity_by_region(mesh);
   MeshForSolver judged{.points = mesh.points, .tetrahedra = mesh.tetrahedra, .threads = threads};
   judged.velocity = [&](std::size_t t) { return velocity[static_cast<std::size_t>(mesh.tet_region[t] - 1)]; };
-  if (size && size->limits().background) judged.threads = 1;  // background sizes can only be evaluated in one thread
+  if (size && size->limits().background) judged.threads = 1;  // sizes from a background file need a single thread
   if (size) judged.largest_size = std::min(size->limits().global, size->limits().max_size);
-  constexpr double nothing_asked = 0;  // target size in fault zones, which every edge exceeds
+  constexpr double nothing_asked = 0;  // fault zones have no target size
   if (size)
     judged.size = [&](std::size_t t, const Vec3& p, double enough) {
       return t < core.component.size() ? size->at_unless_below(enough, p, core.component[t]) : nothing_asked;

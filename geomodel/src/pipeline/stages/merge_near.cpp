@@ -15,11 +15,11 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double most_of_tolerance = 0.5;      ///< share of the remaining tolerance that merging may use
-constexpr double most_moved_of_tolerance = 2;  ///< largest movement of a point, as a multiple of `merge_within`
-constexpr double next_distance = 0.5;          ///< factor from one merging distance to the next smaller one
+constexpr double most_moved_of_tolerance = 2;  ///< largest movement of a point by merging, divided by `merge_within`
+constexpr double next_distance = 0.5;          ///< factor from one tried merging distance to the next smaller one
 constexpr unsigned most_tries = 3, most_tries_asked = 5;
-/// Largest number of rounding rounds in one attempt to merge. An attempt that has not succeeded by then would not
-/// succeed later either, and each round takes as long as the first.
+/// Largest number of times that coordinates are rounded to doubles in one attempt to merge surfaces. An attempt that
+/// still fails then would not succeed later either, and each rounding takes as long as the first.
 constexpr unsigned most_rounds = 4;
 
 /// Returns how far surfaces were moved by merging, and by the repair of places too thin for any rounding to doubles.
@@ -88,13 +88,14 @@ class NearMerging {
     return std::nullopt;
   }
 
-  /// Notes at how many places surfaces were merged. This is no warning, because merging is no fault of the input.
+  /// Notes at how many places surfaces were merged: no warning, because merging does not show that the input is wrong.
   void tell(ArrangementResult& found, double distance) const {
     for (const Spot& spot : found.spots)
       if (spot.what == "merged") std::erase(found.warnings, describe(spot, built_.surfaces));
     const ArrangementResult::Merging& merging = found.merging;
     const std::size_t n = merging.vertices_merged + merging.vertices_inserted;
-    // Share of the merging distance below which movements are not reported: parts that touch count as merged, too.
+    // Smaller movements, as a share of the merging distance, are not reported: surfaces that only touch are merged,
+    // too.
     constexpr double by_rounding = 1e-6;
     if (n + merging.pockets_closed == 0 || merging.displacement.largest < by_rounding * distance) return;
     const std::string pockets = merging.pockets_closed == 0

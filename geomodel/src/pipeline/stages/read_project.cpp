@@ -24,7 +24,7 @@ namespace {
 nlohmann::ordered_json describe_volume(const ModelVolume& volume, const Vec3& origin) {
   const Vec3 min = volume.bounds.min + origin, max = volume.bounds.max + origin;
   nlohmann::ordered_json box{{"min", {min.x, min.y, min.z}}, {"max", {max.x, max.y, max.z}}};
-  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // the last two sides of a volume are zmin and zmax
+  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // the last two sides of a volume are bottom and top
     const Vec3 corner = volume.sides[i].points[0] + origin;
     box["corners"].push_back({corner.x, corner.y});
   }
@@ -60,7 +60,8 @@ void refuse_sizes(const Inputs& model, const Box3& bounds) {
   require_countable(estimate_crossings(fractures, bounds), fractures.size(), model.refinement);
 }
 
-/// Takes from the tolerance the share by which triangulated level sets differ from their fields.
+/// Subtracts from the tolerance of the mesh the distance by which triangulated level sets may deviate from their
+/// fields.
 void use_tolerance_of_level_sets(const Project& project, RefinementSettings& r) {
   if (has_level_sets(project) && r.tolerance.left() > 0)
     r.tolerance.take({"level sets", level_set_share * r.tolerance.left()});
@@ -158,8 +159,8 @@ void complete_rules(Inputs& model, const ProjectInputs& inputs, Journal& journal
   ask_continuation(model.rules, model.refinement, model.volume);
 }
 
-/// Makes horizons from points, separately in each fault block if faults separate the points, and replaces the recorded
-/// distances of these horizons from their points.
+/// Makes horizons from their data points, separately in each fault block if faults separate the points. Replaces the
+/// recorded distances of these horizons from their data points.
 void grid_horizons_in_blocks(ProjectInputs& inputs, Inputs& model, Journal& journal) {
   if (inputs.gridded.empty()) return;
   ModelRules rules = model.rules;

@@ -34,7 +34,8 @@ void ask(AskedSize& at, const AskedSize& asked) {
                                     (meant.empty() ? ";" : meant) + " known are " + list + (n > most ? ", ..." : ""));
 }
 
-/// Returns the region of each component. Throws if a name in `words` is neither that of a region nor of a unit.
+/// Returns the region to which each component of the mesh belongs. Throws if one of the names in `words` is neither
+/// that of a region nor of a unit.
 std::vector<const Region*> regions_of_components(const NamedRegions& named, const std::set<std::string>& words) {
   std::set<std::string> known;
   for (const Region& r : named.regions) known.insert({r.name, r.unit});
@@ -85,7 +86,6 @@ void ask_of_components(const ModelRecords& model, const ConstrainedTetrahedraliz
   if (asked.layers.empty()) size.component_layers.clear();
 }
 
-/// Returns the word by which settings refer to all surfaces of a kind, such as `faults`.
 std::string kind_word(SurfaceKind kind) {
   switch (kind) {
     case SurfaceKind::horizon:
@@ -119,7 +119,6 @@ std::vector<AskedSize> patch_sizes(const ModelRecords& model, const std::vector<
   return sizes;
 }
 
-/// Returns the word by which settings refer to all curves of a kind (NamedCurve::kind), such as `wells`.
 std::string plural(const std::string& kind) { return kind + "s"; }
 
 std::vector<AskedSize> segment_sizes(const ModelRecords& model) {
@@ -187,7 +186,7 @@ std::vector<VertexIndex> fixed_points(const ModelRecords& model) {
   for (const auto& p : soup.isolated_points) fixed.push_back(p.v);
   const std::vector<bool> polygons = plane_polygons(model.arranged.surfaces, model.built.rules);
   if (std::find(polygons.begin(), polygons.end(), true) == polygons.end()) return fixed;
-  std::vector<bool> is_corner;  // whether each point of the surfaces, concatenated, is the corner of a fracture
+  std::vector<bool> is_corner;  // by point of all surfaces, one after another: whether it is the corner of a fracture
   for (std::size_t s = 0; s < polygons.size(); ++s)
     is_corner.resize(is_corner.size() + model.arranged.surfaces[s].points.size(), polygons[s]);
   for (VertexIndex v = 0; v < soup.points.size(); ++v)
@@ -283,7 +282,8 @@ RefineOptions refine_options(const ModelRecords& model, const ConstrainedTetrahe
   options.segment_curve = segment_curves(model.arranged.plc);
   if (std::any_of(model.arranged.surfaces.begin(), model.arranged.surfaces.end(),
                   [](const auto& s) { return s.kind == SurfaceKind::box; }))
-    // Only these points are fixed: others inside a box side remain from removed pieces of surfaces and may move.
+    // Fixed points are named points and corners of fractures. Other points inside a side of the box remain from removed
+    // parts of surfaces, and may move.
     options.fixed_points = fixed_points(model);
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)

@@ -44,11 +44,11 @@ Arranged in_true_heights(const Arranged& arranged, const ZScale& scale);
 Meshed free_split_corners(const ModelRecords& model, Meshed meshed, const std::vector<std::string>& split,
                           unsigned threads);
 
-/// Names the mesh, and verifies what a run guarantees. Throws InternalError listing each fault, and Error{cannot_mesh}
-/// if regions do not fill the volume or changed by more than the tolerance allows.
+/// Names the mesh, and verifies what a run guarantees. Throws InternalError listing each defect of the mesh, and
+/// Error{cannot_mesh} if regions do not fill the volume or changed by more than the tolerance allows.
 ModelMesh name_and_verify(const ModelRecords& model, const Meshed& meshed, std::vector<CellArray> arrays,
                           Journal& journal);
-/// Throws InternalError listing each fault of the finished mesh.
+/// Throws InternalError listing each defect of the finished mesh.
 void require_valid(const ModelMesh& mesh, const ZScale& scale, unsigned threads);
 
 /// Measures shapes, sizes and causes of poor elements. `mesh` has the tetrahedra of `meshed`, in the same order.

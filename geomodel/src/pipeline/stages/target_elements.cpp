@@ -22,8 +22,8 @@ constexpr double near_enough = 1.1;  // factor
 constexpr double most_over_target = 2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns the next factor on the sizes. The number of elements is proportional to the inverse cube of the size, or to
-/// a lower power if surfaces determine it.
+/// Returns the factor on the target sizes for the next trial. The number of elements is proportional to the inverse
+/// cube of the size, or to a lower power if most elements are near surfaces with short edges.
 double next_factor(double factor, double count, double target) { return factor * std::cbrt(count / target); }
 
 Box3 bounds_of(const Arranged& model) {
@@ -32,7 +32,8 @@ Box3 bounds_of(const Arranged& model) {
   return box;
 }
 
-/// Returns the largest factor on the sizes; the tolerance follows the sizes and would be refused above this factor.
+/// Returns the largest factor on the target sizes. The tolerance follows the sizes, and would be refused if this factor
+/// were larger.
 double greatest_factor(const Arranged& model, const RefineOptions& options) {
   constexpr double most_of_diagonal = 0.05;
   if (options.honour != Honour::tolerance || !(options.tolerance_share > 0)) return infinity;
@@ -41,8 +42,9 @@ double greatest_factor(const Arranged& model, const RefineOptions& options) {
   return std::max(most_of_diagonal * std::sqrt(dot(extent, extent)) / options.tolerance, 1.0);
 }
 
-/// Returns the largest useful factor on the sizes. With sizes several times those of an empty volume, the mesh no
-/// longer changes, only the tolerance that follows them.
+/// Returns the largest useful factor on the target sizes. Sizes several times as long as those that fill an empty box
+/// with the requested number of elements leave the mesh unchanged; only the tolerance, which follows the sizes, would
+/// grow.
 double factor_of_empty_volume(const Arranged& model, const RefineOptions& options, double target) {
   constexpr double most = 7;
   return options.size.global > 0 ? most * derived_size(bounds_of(model), target) / options.size.global : infinity;
@@ -130,8 +132,9 @@ RefineOptions scaled(const RefineOptions& options, const Scale& scale) {
 
 constexpr unsigned most_tries = 6;
 
-/// Returns the factors whose estimated number of elements is nearest to the target: the factor 1 if its estimate is
-/// within a factor of `near`, else the first trial that is near enough, or the nearest of six.
+/// Returns the factors on target sizes and gradation whose estimated number of elements is nearest to the requested
+/// one. The factor 1 is accepted if its estimate is within a factor of `near` of the request, else the first of at most
+/// six trials that is near enough, or the nearest of them.
 Try scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, const CountSearch& search,
                       double near) {
   std::vector<Try> tries;
@@ -149,8 +152,9 @@ Try scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& op
   return best;
 }
 
-/// Returns the factor on the sizes alone with which the estimate meets the target, at most `most`. This limit matters
-/// for surfaces that cross and touch everywhere. Only meshing shows whether sizes must also grow faster.
+/// Returns the factor on the target sizes, at most `most`, with which the estimated number of elements meets the
+/// requested one. The limit matters for surfaces that cross and touch everywhere, where no size meets it. The gradation
+/// is unchanged, because only meshing shows whether it must be steeper.
 double size_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, double target, double most) {
   double size = 1;
   for (unsigned n = 0; n < most_tries; ++n) {
@@ -195,7 +199,7 @@ RefinementSettings settings_used(RefinementSettings settings, const RefineOption
 
 CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
-  constexpr double near = 1.4;  // accepted ratio of estimate to target; the mesh itself may differ by as much again
+  constexpr double near = 1.4;  // accepted ratio of estimated to requested elements; the mesh may differ as much again
   const RefinementSettings& settings = model.arranged.refinement;
   const SettledStack& stack = model.built.stack;
   const ElementEstimator estimator(model.arranged.plc.plc, mesh, options);

@@ -22,7 +22,7 @@ struct CountedOptions {
   ElementEstimate estimate;
   RefinementSettings used;
   bool gaps_dropped = false;   ///< whether gaps between surfaces are ignored, because they require too many elements
-  double gradation_scale = 1;  ///< factor by which sizes grow faster than usual with the distance from small ones
+  double gradation_scale = 1;  ///< factor on the gradation, the growth of target sizes around small ones
 };
 
 /// Corrects a size that was derived from the model's volume alone. If surfaces, or a ground that cuts the volume, lead

@@ -32,7 +32,7 @@ struct Entity {
 class PairReader {
  public:
   explicit PairReader(const InputFile& file) : lines_(file) {}
-  /// Reads the next pair of group code and value. Returns false if the file ends between two pairs.
+  /// Reads the next pair of group code and value of a DXF file. Returns false if the file ends between two pairs.
   bool next(Pair& pair) {
     if (!lines_.next()) return false;
     const auto code = to_integer(trim(lines_.line()));
@@ -256,7 +256,7 @@ class DxfReader {
     }
   }
 
-  /// Converts a polygon mesh of M rows of N vertices to triangles. Flags 1 and 32 close it in the direction of M or N.
+  /// Converts a DXF polygon mesh of M rows of N vertices to triangles. Flags 1 and 32 close it along M or N.
   void close_mesh() {
     const auto size = static_cast<std::int64_t>(vertices_.size());
     if (m_ < 2 || n_ < 2 || m_ > size || n_ > size || m_ * n_ != size) {

@@ -70,7 +70,7 @@ class Inserter {
   }
 
  private:
-  /// Counts the copies of a block before any is made, because a few bytes of a file can request an unlimited number.
+  /// Counts the copies of a DXF block before any is made, because a few bytes can request an unlimited number.
   void count_copies(const DxfContent& inner, const DxfInsert& insert) {
     double n = 1;
     for (const auto& [layer, corners] : inner.corners) n += static_cast<double>(corners.size());
@@ -99,7 +99,7 @@ class Inserter {
 
   const InputFile& file_;
   const std::map<std::string, DxfBlock>& blocks_;
-  std::vector<std::string> open_;  ///< names of the blocks that are being expanded, outermost first
+  std::vector<std::string> open_;  ///< names of the DXF blocks that are being expanded, outermost first
   double n_copied_ = 0;
 };
 

@@ -12,19 +12,19 @@
 
 namespace geomesh::geomodel {
 
-/// One INSERT: a block inserted at a place, in columns and rows.
+/// One INSERT of a DXF file: a block inserted at a place, in columns and rows.
 struct DxfInsert {
   std::string block, layer;
   std::size_t line = 0;  ///< of the file
   Vec3 at, scale{1, 1, 1};
-  double rotation = 0;  ///< rotation of the block in radians, counter-clockwise about z
+  double rotation = 0;  ///< rotation of the inserted DXF block in radians, counter-clockwise about z
   std::int64_t n_columns = 1, n_rows = 1;
-  double column_step = 0, row_step = 0;  ///< distances between copies of the block, which are rotated with it
+  double column_step = 0, row_step = 0;  ///< distances between copies of the DXF block, which are rotated with it
 };
 
 /// Content of one block of a DXF file or of its section ENTITIES, with coordinates as in the file.
 struct DxfContent {
-  std::map<std::string, std::vector<Vec3>> corners;  ///< for each layer, three corners for each of its triangles
+  std::map<std::string, std::vector<Vec3>> corners;  ///< for each DXF layer: the corners of its triangles, three each
   std::vector<std::pair<std::string, std::vector<Vec3>>> lines;  ///< layer and points
   std::map<std::string, std::vector<Vec3>> points;               ///< by layer
   std::map<std::string, std::size_t> passed_over;  ///< numbers of entities that are not read, by their DXF type
@@ -32,7 +32,7 @@ struct DxfContent {
 };
 
 struct DxfBlock {
-  Vec3 base;  ///< point of the block that is placed at the position of an INSERT
+  Vec3 base;  ///< point of the DXF block that is placed at the position of an INSERT
   DxfContent content;
 };
 

@@ -50,8 +50,8 @@ void add_well(const GocadObject& object, const InputFile& file, FileContents& co
   contents.polylines.push_back({name, file.shown(), object.path});
 }
 
-/// Describes the coordinate frame of the first object as that of the file. Differences among the objects are reported;
-/// each object was converted by its own frame.
+/// Describes the coordinate frame of the first object as that of the GOCAD file. Differences among the objects are
+/// reported; each object was converted by its own frame.
 void describe_frame(const std::vector<GocadObject>& objects, FileContents& contents) {
   const auto first = std::find_if(objects.begin(), objects.end(), [](const GocadObject& o) { return o.frame.given; });
   if (first == objects.end()) {

@@ -12,7 +12,7 @@ namespace {
 struct FoundFace {
   Index surface;      ///< row in contents.surfaces
   Index first, last;  ///< triangles
-  bool as_stored;     ///< whether the normals of the stored triangles point to the face's + side
+  bool as_stored;     ///< whether the surface's triangles have normals that point to the + side of the GOCAD face
 };
 
 /// Compares two triangles by their corners. Returns +1 if `corner` is a rotation of `key`, -1 if it is a rotation of

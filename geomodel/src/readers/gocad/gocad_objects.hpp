@@ -48,7 +48,7 @@ struct GocadObject {
   GocadFrame frame;
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;              ///< triangles of the surface, inverted if z was converted from depth
-  std::vector<Index> part_first;                ///< row of the first triangle of each TFACE
+  std::vector<Index> part_first;                ///< row of the first triangle of each TFACE (a part of a GOCAD surface)
   std::vector<std::vector<VertexIndex>> lines;  ///< polylines of a PLine, one for each ILINE, as rows of `points`
   std::vector<Vec3> path;                       ///< Well
   std::vector<std::string> properties;  ///< names of properties that the file gives at vertices; values are ignored

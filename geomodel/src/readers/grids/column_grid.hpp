@@ -13,7 +13,7 @@ class ColumnMajorFill {
  public:
   explicit ColumnMajorFill(Grid& grid) : grid_(grid) {}
   bool full() const { return n_ == grid_.heights.size(); }
-  /// Sets the height of the next node. NaN leaves the node without a value. Precondition: not all nodes have been set.
+  /// Sets the height of the next grid node. NaN leaves it without a value. Precondition: not all nodes have been set.
   void add(double value) {
     grid_.at(n_ / grid_.n_rows, grid_.n_rows - 1 - n_ % grid_.n_rows) = value;
     ++n_;
@@ -25,7 +25,7 @@ class ColumnMajorFill {
   std::size_t n_ = 0;
 };
 
-/// Returns whether a value is the null value. Null values are written with fewer digits than a double has: 0.1E+31 as
+/// Returns whether a value is the grid file's null value, which has fewer digits than a double: 0.1E+31 as
 /// 1.0000000E+30.
 bool is_null(double value, double null);
 

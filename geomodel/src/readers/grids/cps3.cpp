@@ -25,7 +25,7 @@ std::size_t count(const LineReader& lines, std::string_view token, const char* w
   return static_cast<std::size_t>(*n);
 }
 
-/// Reads a record of the header. Returns false if the line is none, because values begin there.
+/// Reads a line as a record of a CPS-3 header. Returns false if it is none, because the grid's values begin there.
 bool header_record(const LineReader& lines, Header& header) {
   Tokens tokens(lines.line());
   const std::string_view key = tokens.next();

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the number in the token, in which a comma may stand for the decimal point.
+/// Returns the number in a token of an ESRI ASCII raster, in which a comma may stand for the decimal point.
 std::optional<double> number_with_comma(std::string_view token) {
   if (const auto value = to_double(token)) return value;
   std::string copy(token);

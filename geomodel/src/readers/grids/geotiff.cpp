@@ -18,7 +18,7 @@ namespace geomesh::geomodel {
 const GeomeshRasterReader& geotiff_plugin() {
   constexpr ModuleName gdal{"geomesh-gdal.so", "geomesh_raster_reader", "GeoTIFF is read by", "geomesh-gdal",
                             "libgdal-dev"};
-  // If loading the module throws an exception, the next call tries again.
+  // If loading the GDAL module throws an exception, the next call tries again.
   static const void* const table = module_table(gdal, [](const void* t) {
     return static_cast<const GeomeshRasterReader*>(t)->version == geomesh_raster_reader_version;
   });

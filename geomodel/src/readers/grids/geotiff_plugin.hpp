@@ -22,7 +22,7 @@ struct GeomeshRaster {
   const char* unit_of_heights;    ///< unit of the heights in band 1, as the file writes it
   const char* system;             ///< coordinate system of the raster: "epsg:CODE", else its name, else empty
   int is_geographic;
-  double metres_per_unit;  ///< metres per unit of x and y; 1 for degrees
+  double metres_per_unit;  ///< metres per unit of the raster's x and y; 1 for degrees
 };
 
 struct GeomeshRasterReader {

@@ -19,9 +19,9 @@ struct Grid {
   std::size_t n_columns = 0, n_rows = 0;
   double x0 = 0, y0 = 0;  ///< position of the node in column 0, row 0: the south-west node if the rotation is 0
   double dx = 0, dy = 0;  ///< between nodes, positive
-  double rotation = 0;    ///< direction in which columns ascend, in degrees counter-clockwise from east, about (x0, y0)
+  double rotation = 0;  ///< direction of ascending grid columns in degrees counter-clockwise from east, about (x0, y0)
   bool cell_centred = false;
-  std::vector<double> heights;  ///< height of each node at index row * n_columns + column; NaN if the node has none
+  std::vector<double> heights;  ///< height of the grid node at index row * n_columns + column; NaN if it has none
 
   double& at(std::size_t column, std::size_t row) { return heights[row * n_columns + column]; }
 };
@@ -29,7 +29,7 @@ struct Grid {
 /// A grid of nodes in columns and rows, which may be at any positions.
 struct NodeLattice {
   std::size_t n_columns = 0, n_rows = 0;
-  std::vector<Vec3> nodes;  ///< node at index row * n_columns + column; z is NaN if the node has no height
+  std::vector<Vec3> nodes;  ///< grid node at index row * n_columns + column; z is NaN if it has no height
 };
 
 /// Allocates the heights of a grid and sets all to NaN. Before, the numbers of columns and rows in the file's header
@@ -52,7 +52,7 @@ void read_heights_below(double limit, TokenStream& tokens, Grid& grid);
 /// Choice of the diagonal along which a grid cell of four nodes is divided into two triangles.
 enum class Diagonal {
   of_less_relief,  ///< the diagonal with the smaller height difference, which follows ridges and valleys
-  from_first,      ///< the diagonal from the cell's first node to the opposite one
+  from_first,      ///< the diagonal of a grid cell from its first node to the opposite one
 };
 
 /// Triangulates a grid of nodes. A cell has two triangles, one if one of its four nodes has no height, and none if more

@@ -13,13 +13,13 @@
 
 namespace geomesh::geomodel {
 
-/// A variable with two dimensions, and the positions of its nodes.
+/// A grid in a netCDF or HDF5 file: a variable with two dimensions, and the positions of its nodes.
 struct NetcdfGrid {
-  std::string name;  ///< name of the variable with its groups: "group/variable"
-  /// Numbers of the file after scale_factor and add_offset are applied; z is NaN if a node has no value.
+  std::string name;  ///< name of the netCDF variable with its groups: "group/variable"
+  /// Numbers of the netCDF file after scale_factor and add_offset are applied; z is NaN if a node has no value.
   NodeLattice lattice;
-  std::string z_name;           ///< standard_name or long_name of the heights, else the variable's own name
-  std::string z_unit, xy_unit;  ///< units of heights and positions as written; empty if the file names none
+  std::string z_name;           ///< standard_name or long_name of the netCDF heights, else the variable's own name
+  std::string z_unit, xy_unit;  ///< units of the grid's heights and positions as written; empty if the file names none
   std::string positive;         ///< attribute `positive` of the heights: "up", "down" or empty
   std::string system;           ///< coordinate system of the grid: "epsg:CODE", else its name, else empty
   bool geographic = false;      ///< whether x and y are longitude and latitude in degrees

@@ -14,8 +14,8 @@ namespace {
 
 struct Layout {
   std::size_t width = 0;         ///< width of a field in characters; 0: fields are separated by blanks
-  std::size_t first_column = 1;  ///< position in the line of the first field, from 1
-  int decimals = 0;              ///< a value without a decimal point is divided by 10 to the power of this number
+  std::size_t first_column = 1;  ///< position in a line of a ZMAP+ file at which the first field begins, from 1
+  int decimals = 0;              ///< a height without a decimal point is divided by 10 to the power of this number
   std::optional<double> null;
   std::string null_text;
 };
@@ -76,7 +76,7 @@ std::optional<double> value_of(std::string_view token, const Layout& layout) {
   return value;
 }
 
-/// Reads values that are separated by blanks. Returns false if a token is not a number or is wider than a field.
+/// Reads ZMAP+ values that are separated by blanks. Returns false if a token is not a number or is wider than a field.
 bool by_blanks(std::string_view line, const Layout& layout, std::vector<double>& values) {
   Tokens tokens(line);
   for (std::string_view token = tokens.next(); !token.empty(); token = tokens.next()) {

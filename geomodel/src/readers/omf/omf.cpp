@@ -18,10 +18,10 @@ namespace {
 
 using Json = nlohmann::json;
 constexpr std::size_t header_bytes = 60;
-// Largest number of nodes of all flat grids of a file, since flat grids take no space in it.
+// Largest number of nodes of all flat grids of an OMF file, since flat grids take no space in it.
 constexpr std::size_t most_flat_nodes = 100'000'000;
-/// Largest number of bytes of all inflated arrays of a file: a constant, plus a multiple of the file's size. A limit is
-/// needed because one array can be named many times.
+/// Largest number of bytes of all inflated arrays of an OMF file: a constant, plus a multiple of the file's size. A
+/// limit is needed because an OMF file can refer to one array many times.
 constexpr std::size_t bytes_always = 100'000'000, bytes_a_byte = 100;
 constexpr std::string_view magic("\x84\x83\x82\x81", 4);
 
@@ -65,7 +65,7 @@ class OmfReader {
       project_id_ += {digits[byte >> 4], digits[byte & 15]};
     }
     if (objects_.contains(project_id_)) return;
-    for (const auto& [id, entry] : objects_.items())  // the project id may be stored in another byte order
+    for (const auto& [id, entry] : objects_.items())  // the id of the OMF project may be stored in another byte order
       if (entry.is_object() && entry.value("__class__", Json()) == "Project") project_id_ = id;
   }
 
@@ -98,7 +98,7 @@ class OmfReader {
     return v;
   }
 
-  /// Returns the bytes of an array, decompressed as far as possible: a wrong length is found at the end of the data.
+  /// Returns the decompressed bytes of an array in an OMF file, up to the end of its data, whatever length is declared.
   std::string inflate(const Json& owner, const std::string& what) {
     const auto array = owner.find("array");
     if (array == owner.end() || !array->is_object() || !array->contains("start") || !array->contains("length") ||
@@ -208,7 +208,7 @@ class OmfReader {
     contents_.surfaces.push_back(std::move(s));
   }
 
-  /// Returns the widths of grid cells, which are in the geometry itself or in an array that it names.
+  /// Returns the widths of grid cells, which an OMF geometry holds itself or in an array to which it refers.
   std::vector<double> widths(const Json& geometry, const char* key, const std::string& name) {
     const std::string what = name + "." + key;
     const auto it = geometry.find(key);

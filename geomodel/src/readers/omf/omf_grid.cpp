@@ -6,7 +6,7 @@ namespace {
 
 constexpr double clearly = 0.5;
 
-/// Returns the offsets of a grid in rows along u, if the file lists them along u first or along v first.
+/// Returns the node offsets of an OMF grid in rows along u; with `u_first` the file lists them in this order already.
 std::vector<double> in_rows(const OmfGrid& grid, bool u_first) {
   if (u_first) return grid.offsets;
   std::vector<double> rows(grid.offsets.size());

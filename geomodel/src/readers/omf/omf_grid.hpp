@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 struct OmfGrid {
   Vec3 origin, axis_u, axis_v;
   std::vector<double> cells_u, cells_v;  ///< widths
-  std::vector<double> offsets;           ///< displacement of each node; empty for a flat grid
+  std::vector<double> offsets;           ///< displacement of each node of the OMF grid; empty if the grid is flat
   std::size_t n_columns() const { return cells_u.size() + 1; }
   std::size_t n_rows() const { return cells_v.size() + 1; }
 };

@@ -10,8 +10,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the text behind the line type at the beginning of a line ("INLINE-" or another one); empty if the line
-/// begins with none.
+/// Returns the text behind the line type (such as "INLINE-") with which a line of a Charisma file begins; empty if the
+/// line does not begin with a line type.
 std::string_view behind_line_type(std::string_view line) {
   line = trim(line);
   for (const std::string_view type : {"INLINE-", "CROSSLINE-", "XLINE-", "CRSLINE-", "TRACE-", "RANDOM-"})
@@ -52,7 +52,7 @@ bool is_charisma(const InputFile& file) {
 FileContents read_charisma(const InputFile& file) {
   FileContents contents;
   contents.format = "Charisma fault sticks";
-  // Row of each polyline by the name of the fault and the number of the stick.
+  // Row of each fault stick among the polylines, by the name of the fault and the number of the stick.
   std::map<std::pair<std::string, std::string>, std::size_t> known;
   std::map<std::string, std::size_t> n_sticks;
   LineReader lines(file);

@@ -7,7 +7,7 @@
 
 namespace geomesh::geomodel {
 
-/// The first two lines that are neither blank nor comment, as read, and the last comment above them.
+/// The first two lines of a table that are neither blank nor comment, as read, and the last comment above them.
 struct FirstLines {
   std::string first, second, comment;
 };

@@ -55,7 +55,7 @@ std::optional<NodeLattice> lattice_of_points(const std::vector<Vec3>& points) {
                                std::numeric_limits<double>::quiet_NaN()});
   for (const Vec3& p : points) {
     Vec3& node = lattice.nodes[y->node(p.y) * x->n + x->node(p.x)];
-    if (!std::isnan(node.z) && node != p) return std::nullopt;  // two points would be at one node of the grid
+    if (!std::isnan(node.z) && node != p) return std::nullopt;  // two points at the same node: they form no grid
     node = p;
   }
   return lattice;

@@ -45,7 +45,7 @@ bool is_y(std::string_view n) {
   return is_latitude(n) || one_of(n, {"y", "northing", "north", "n", "y_coord", "ycoord", "coord_y", "y_utm", "utm_y",
                                       "utmy", "yy", "y_northing", "hochwert", "nordwert", "norte", "y-coordinate"});
 }
-/// Returns the priority, from 1, of a column name as one that divides points into sets; 0 for other columns.
+/// Returns the priority, from 1, with which a column of this name divides points into sets; 0 if it does not.
 std::size_t group_rank(std::string_view n) {
   static constexpr std::string_view words[] = {"formation", "surface", "horizon", "layer",  "unit", "feature_name",
                                                "feature",   "fault",   "name",    "object", "id",   "val"};
@@ -142,7 +142,7 @@ Separation sniff_separation(std::string_view line) {
     if (line.find(delimiter) != std::string_view::npos) {
       const Separation separation{delimiter, false};
       const auto fields = separation.split(line);
-      if (delimiter == '\t' && fields.size() < 3) continue;  // fewer than three fields: the tab only pads the line
+      if (delimiter == '\t' && fields.size() < 3) continue;  // with fewer than three fields, tabs only pad the line
       return {delimiter, has_comma && !all_numbers_have_points(fields)};
     }
   if (!has_comma) return {};

@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 
 /// The format of a table's lines: how fields are separated and how numbers are written.
 struct Separation {
-  /// ' ' for any run of blanks and tabs; else the separating character, which blanks may surround
+  /// separator of fields: ' ' for any run of blanks and tabs, else one that blanks may surround
   char delimiter = ' ';
   bool decimal_comma = false;
 

@@ -274,7 +274,7 @@ std::vector<Vec3> path_of_survey(const std::vector<SurveyStation>& stations, dou
       continue;
     }
     const int n = std::max(1, static_cast<int>(std::ceil(turn * 180 / (std::numbers::pi * most_turn))));
-    for (int i = 1; i <= n; ++i) {  // the direction turns uniformly along the arc, from `from` to `to`
+    for (int i = 1; i <= n; ++i) {  // along the arc of the well path, the direction turns uniformly from `from` to `to`
       const double s = static_cast<double>(i) / n, scale = length / (turn * std::sin(turn));
       path.push_back(start +
                      scale * ((std::cos((1 - s) * turn) - std::cos(turn)) * from + (1 - std::cos(s * turn)) * to));

@@ -69,7 +69,7 @@ void refuse_counts(const InputFile& file, std::size_t line, const std::vector<Ta
               "and no point; take it out, or begin it with '#'");
 }
 
-/// Returns the columns of a table as the project defines them; throws if x, y or z is not among them.
+/// Returns the columns of a table as the project file defines them; throws if x, y or z is not among them.
 Columns asked_columns(const LineReader& lines, const InputFile& file, const std::vector<std::string>& header,
                       std::size_t n_columns, std::vector<std::string>& names) {
   names = names_of_columns(lines, file.options.columns, header, n_columns);

@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// Reads the number at byte `at`. Precondition: at + sizeof(T) <= bytes.size().
+/// Reads the number at byte `at` of binary data. Precondition: at + sizeof(T) <= bytes.size().
 template <class T>
 T read_number(std::string_view bytes, std::size_t at, std::endian order) {
   std::array<char, sizeof(T)> raw;

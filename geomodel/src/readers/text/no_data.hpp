@@ -25,7 +25,7 @@ struct OddHeight {
   Kind kind = Kind::no_data;
   double value = 0;
   std::size_t count = 0;
-  std::size_t first = 0;  ///< index of the first point with this height
+  std::size_t first = 0;  ///< index of the first point with this unusual height
 };
 
 /// Returns the unusual values among the heights; NaN is ignored. Values that mean "no data" are those that no length on

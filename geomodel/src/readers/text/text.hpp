@@ -36,11 +36,9 @@ class LineReader {
 class Tokens {
  public:
   explicit Tokens(std::string_view line) : rest_(line) {}
-  /// Returns the next word of the line; empty at the end.
   std::string_view next();
   /// Returns the next token; if it is in double quotes, the trimmed text between them.
   std::string_view next_quoted();
-  /// Returns the rest of the line, without blanks at both ends.
   std::string_view rest() const;
   bool at_end() const { return rest().empty(); }
 
@@ -53,9 +51,8 @@ class Tokens {
 class TokenStream {
  public:
   explicit TokenStream(const InputFile& file, char comment = '\0') : file_(&file), comment_(comment) {}
-  /// Returns the next token, empty at the end of the file.
   std::string_view next();
-  std::size_t line() const { return line_; }  ///< number of the line in which the last token is
+  std::size_t line() const { return line_; }  ///< number of the line of the token read last
   std::size_t position() const { return at_; }
   std::size_t bytes_left() const { return file_->size() - at_; }
   [[noreturn]] void fail(const std::string& message) const { file_->fail(line_, message); }
@@ -64,7 +61,8 @@ class TokenStream {
   /// Returns the next token as a finite number; throws an error that `what` was expected if it is none.
   double number(const char* what);
   std::int64_t integer(const char* what);
-  /// Reads a count of items. Throws if the rest of the file is shorter than `least_bytes` for each item.
+  /// Reads the number of points, triangles or other items that follow in the text. Throws if the rest of the file is
+  /// shorter than `least_bytes` for each of them.
   std::size_t count(const char* what, std::size_t least_bytes);
 
  private:
@@ -77,7 +75,6 @@ std::string_view trim(std::string_view s);
 std::string to_lower(std::string_view s);
 /// Returns the decimal digits at the end of a name; empty if it does not end in digits.
 std::string_view digits_at_end(std::string_view name);
-/// Returns `a == b` without regard to case (ASCII).
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 bool starts_with_ignoring_case(std::string_view s, std::string_view prefix);
 

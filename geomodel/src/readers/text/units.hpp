@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 std::optional<double> length_unit_in_metres(std::string_view unit);
 /// Returns true for units of time (ms, s ...). Surfaces in two-way time cannot be meshed.
 bool is_time_unit(std::string_view unit);
-/// Returns how many metres a unit of length has; throws with the line of `at` if it is one of time or unknown.
+/// Returns how many metres a unit of length has. Throws at the current line of `at` if it is unknown or a unit of time.
 double length_unit_in_metres(const LineReader& at, std::string_view unit);
 
 }  // namespace geomesh::geomodel

@@ -12,8 +12,8 @@
 
 namespace geomesh::geomodel {
 
-/// Map from ids to rows. Ids up to `dense_limit` are in a table, others in a tree. The limit depends on the file's
-/// size, so that a wrong id costs no memory.
+/// Map from vertex ids to rows. Ids up to `dense_limit` are in a table, others in a tree. The limit depends on the
+/// file's size, so that a wrong id costs no memory.
 class VertexIds {
  public:
   explicit VertexIds(std::size_t dense_limit) : dense_limit_(dense_limit) {}

@@ -58,7 +58,7 @@ FileContents read_obj(const InputFile& file) {
     std::size_t first, line;
   };
   std::vector<Face> faces;
-  // Faces may refer to vertices that follow later, so they are stored and built at the end.
+  // Faces of an OBJ file may refer to vertices that follow later, so triangles are built after the last line.
   std::vector<std::int64_t> corners;
   std::size_t n_other = 0;
   while (lines.next()) {

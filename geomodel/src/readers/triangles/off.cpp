@@ -15,7 +15,7 @@ std::string_view off_keyword(std::string_view token) {
   return {};
 }
 
-/// Finds the next line that is not blank without its comment; `content` is that line without the comment.
+/// Finds the next line of an OFF file that contains more than a comment. `content` is the line without its comment.
 bool next_content(LineReader& lines, std::string_view& content) {
   while (lines.next()) {
     const std::string_view line = lines.line();

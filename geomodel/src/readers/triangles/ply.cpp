@@ -209,8 +209,8 @@ void read_face(PlyValues& values, const PlyElement& element, std::vector<std::in
   builder.add_polygon(polygon, values.line());
 }
 
-/// Returns the least number of bytes that one item of an element takes, so that a header cannot declare more items than
-/// the file can contain.
+/// Returns the least number of bytes that one item of a PLY element (a vertex, a face) takes, so that a header cannot
+/// declare more items than the file can contain.
 std::size_t least_bytes(const PlyElement& element, PlyEncoding encoding) {
   std::size_t bytes = 0;
   for (const PlyProperty& p : element.properties) {

@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// Collects the points and polygons of one surface, and checks their indices.
+/// Collects the points and polygons of one surface from its file, and checks that the points of each polygon exist.
 class SurfaceBuilder {
  public:
   SurfaceBuilder(const InputFile& file, std::string name);
@@ -34,7 +34,7 @@ class SurfaceBuilder {
   std::size_t n_split_ = 0;  ///< number of polygons that were divided into several triangles
 };
 
-/// Returns the collected surface as the contents of a file; throws if it has no triangle.
+/// Returns the surface that `builder` collected as the contents of a file; throws if the surface has no triangle.
 FileContents one_surface(const InputFile& file, std::string format, SurfaceBuilder&& builder);
 
 void note_split_polygons(std::size_t n_split, FileContents& contents);

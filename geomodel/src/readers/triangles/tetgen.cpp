@@ -37,7 +37,7 @@ class TetgenLines {
                   (token.empty() ? "the end of the line" : in_quotes(token)));
     return *value;
   }
-  /// Reads a count of items. Throws if the file is shorter than two bytes for each item.
+  /// Reads a number of points, facets ... in a TetGen file. Throws if the file is shorter than two bytes for each.
   std::size_t count(Tokens& tokens, const char* what) const {
     const std::int64_t n = integer(tokens, what);
     if (n < 0 || static_cast<std::uint64_t>(n) > lines_.file().size() / 2) {
@@ -108,7 +108,7 @@ class TetgenParser {
     }
   }
 
-  /// Reads n vertex numbers, which may continue on the following lines.
+  /// Reads n vertex numbers of a TetGen polygon, which may continue on the following lines.
   std::vector<VertexIndex> vertices(Tokens& tokens, std::size_t n) {
     std::vector<VertexIndex> out;
     while (out.size() < n) {

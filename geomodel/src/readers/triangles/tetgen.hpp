@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 
 struct TetgenFacet {
-  /// Vertices of each polygon: one for a point, two for a segment, more for a closed polygon.
+  /// Vertices of each polygon of the facet: one for an isolated point, two for a segment, more for a closed polygon.
   std::vector<std::vector<VertexIndex>> polygons;
   std::vector<Vec3> holes;
 };

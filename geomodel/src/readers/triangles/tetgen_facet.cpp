@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Divides TetGen facets into pieces.
+// Divides TetGen facets into connected pieces.
 #include <algorithm>
 
 #include "readers/triangles/polygon.hpp"
@@ -25,7 +25,7 @@ class Nesting {
   }
 
   std::size_t parent(std::size_t i) const { return parent_[i]; }
-  /// Returns the innermost closed polygon with p inside or on its border; `none` if there is none.
+  /// Returns the innermost closed polygon of the facet with p inside or on its border; `none` if there is none.
   std::size_t innermost_at(const Vec3& p) const {
     const Vec2 q = project_(p);
     std::size_t best = none;
@@ -93,7 +93,7 @@ std::vector<FacetPiece> facet_pieces(const std::vector<Vec3>& points, const Tetg
     const std::size_t i = nesting.innermost_at(h);
     if (i != none) is_hole[i] = true;
   }
-  // A polygon belongs to the piece of the polygon around it, unless it begins a piece of its own.
+  // A closed polygon of a facet is in the connected piece of the polygon around it, unless it begins its own piece.
   std::vector<FacetPiece> pieces;
   std::vector<std::size_t> piece_of(closed.size(), none);
   std::vector<bool> known(closed.size(), false);

@@ -22,7 +22,7 @@ const VectorModule& vector_module() {
   return module;
 }
 
-/// Returns the name of a feature: that in its text columns, else that of its layer.
+/// Returns the name of a map feature: that in its text columns, else that of its layer.
 std::string name_of(const VectorFeature& feature) {
   static constexpr std::array names{"name",  "fault", "fault_name", "horizon",   "surface", "formation",
                                     "layer", "unit",  "well",       "well_name", "label",   "id"};
@@ -79,8 +79,8 @@ class VectorReader {
     points.insert(points.end(), feature.points.begin(), feature.points.end());
   }
 
-  /// Returns the height of a feature whose points have none: the value of the first column that is named like a height.
-  /// Nothing if the points have heights, or if there is no such column.
+  /// Returns the height of a map feature whose points have none: the value of the first column that is named like a
+  /// height. Nothing if the points have heights, or if there is no such column.
   std::optional<double> height_of(const VectorFeature& feature) {
     if (feature.has_z) return std::nullopt;
     for (const auto& [column, value] : feature.numbers) {

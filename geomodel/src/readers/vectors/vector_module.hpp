@@ -15,10 +15,10 @@ namespace geomesh::geomodel {
 
 struct VectorFeature {
   std::string layer;
-  std::vector<std::pair<std::string, std::string>> texts;  ///< names and values of the feature's text columns
-  std::vector<std::pair<std::string, double>> numbers;     ///< names and values of the feature's numeric columns
-  bool has_z = false;                                      ///< whether the points of the feature have a z coordinate
-  std::vector<std::vector<Vec3>> lines;                    ///< lines of the feature, and rings of its polygons
+  std::vector<std::pair<std::string, std::string>> texts;  ///< names and values of the text columns of a map feature
+  std::vector<std::pair<std::string, double>> numbers;     ///< names and values of the numeric columns of a map feature
+  bool has_z = false;                    ///< whether the points of the map feature have a z coordinate
+  std::vector<std::vector<Vec3>> lines;  ///< lines of the map feature, and rings of its polygons
   std::vector<Vec3> points;
 };
 

@@ -68,7 +68,6 @@ class Canvas {
   explicit Canvas(const Camera& camera)
       : camera_(camera), near_(wide * tall, 0.0F), colour_(wide * tall, bytes_of(background)) {}
 
-  /// Draws a convex polygon, with its sides as mesh edges.
   void fill(const std::vector<Vec3>& polygon, const Colour& colour, const Kept& kept) {
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       const std::array<Vec3, 3> corners{polygon[0], polygon[i - 1], polygon[i]};
@@ -98,7 +97,8 @@ class Canvas {
   }
   static constexpr std::size_t wide = oversampling * picture_width, tall = oversampling * picture_height;
 
-  /// Returns how dark mesh edges are drawn, by the triangle's mean height in pixels; 0 if the edges would merge.
+  /// Returns how dark the edges of a triangle are drawn, by its mean height in pixels; 0 if it is so small that its
+  /// edges would merge.
   static double edge_strength(double height) { return 0.42 * std::clamp((height / oversampling - 3) / 22, 0.0, 1.0); }
 
   /// Draws a triangle. `is_edge[k]` is whether the side opposite corner k is a mesh edge.

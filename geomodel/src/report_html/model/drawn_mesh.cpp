@@ -11,7 +11,7 @@ namespace {
 
 /// Returns the importance of each vertex for the model's outline: sides of the box count more than all other surfaces.
 std::vector<std::uint8_t> weights_of(const ModelMesh& mesh) {
-  constexpr std::size_t most = 4;  // largest number of surfaces that are distinguished at one vertex
+  constexpr std::size_t most = 4;  // largest number of different surfaces that are counted at one vertex
   constexpr std::uint8_t of_side = 5, of_other = 1;
   std::vector<std::array<std::int32_t, most>> met(mesh.points.size());
   std::vector<std::uint8_t> weight(mesh.points.size(), 0);

@@ -12,7 +12,6 @@ namespace {
 
 using Colours = std::array<Colour, 12>;
 
-/// Muted colours of units that are distinguishable side by side.
 constexpr Colours unit_colours{{{0.93, 0.79, 0.45},
                                 {0.45, 0.66, 0.80},
                                 {0.62, 0.77, 0.49},
@@ -39,8 +38,8 @@ constexpr Colours surface_colours{{{0.16, 0.42, 0.62},
                                    {0.84, 0.36, 0.15},
                                    {0.46, 0.31, 0.22}}};
 
-/// Factors on the brightness of a unit's colour, for the parts of the unit and for later rounds through the list of
-/// colours; the first factor is 1.
+/// Factors on the brightness of a unit's colour: for regions of one unit, and for units after all colours of the list
+/// were used once. The first factor is 1.
 constexpr std::array<double, 4> part_brightness{1.0, 0.86, 1.12, 0.93};
 constexpr std::array<double, 3> round_brightness{1.0, 0.8, 1.15};
 

@@ -55,7 +55,8 @@ double mean_edge(const ModelMesh& mesh, const Tetrahedron& v) {
   return sum / 6;
 }
 
-/// Returns the shape quantities that every mesh has; they come first in the list.
+/// Returns the quantities that describe element shapes and are known for every mesh: the first ones that the viewer
+/// offers.
 std::vector<Quantity> shapes(const ModelMesh& mesh) {
   std::vector<double> angles, edges;
   for (const Tetrahedron& v : mesh.tetrahedra) {

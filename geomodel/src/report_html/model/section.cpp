@@ -7,7 +7,6 @@ namespace geomesh::geomodel::page {
 
 namespace {
 
-/// A cutting plane and the position of the mesh points relative to it.
 class CuttingPlane {
  public:
   CuttingPlane(const std::vector<Vec3>& points, std::size_t axis, double at)

@@ -18,14 +18,14 @@ struct Section {
   double at = 0;
   struct Cut {
     std::int32_t region;
-    std::vector<Vec2> polygon;  ///< the three or four corners of a cut through a tetrahedron, in order around it
+    std::vector<Vec2> polygon;  ///< corners of the polygon in which the plane cuts a tetrahedron, in order around it
   };
-  std::vector<Cut> cuts;  ///< cuts through tetrahedra, in the order of the tetrahedra
+  std::vector<Cut> cuts;  ///< polygons in which the plane cuts tetrahedra, in the order of the tetrahedra
   struct Trace {
     std::int32_t surface;
     Vec2 a, b;
   };
-  std::vector<Trace> traces;  ///< lines where faces of surfaces cross the plane, in the order of the faces
+  std::vector<Trace> traces;  ///< lines in which the plane cuts mesh faces of surfaces, in the order of the faces
 };
 
 /// Cuts all tetrahedra and faces of the mesh by a plane. A vertex on the plane counts as above it, so each cut has

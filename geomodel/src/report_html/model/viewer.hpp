@@ -25,7 +25,7 @@ struct Quantity {
   std::string name, unit;
   double low = 0, high = 1;
   bool is_of_points = false;          ///< else of tetrahedra
-  std::vector<std::uint8_t> steps{};  ///< values, one for each tetrahedron or each point
+  std::vector<std::uint8_t> steps{};  ///< values of the quantity, from 0 to 255, one for each tetrahedron or each point
 };
 
 /// Returns the quantities by which the viewer can colour the mesh: the least dihedral angle, the edge length, arrays of
@@ -45,7 +45,6 @@ std::string viewer_data(const ModelMesh& mesh, const Box3& bounds, const MeshCol
 /// `model`. It is under the MIT licence, so that users may pass on the HTML file.
 std::string_view viewer_script();
 
-/// Returns the style sheet of the HTML report.
 std::string_view page_style();
 
 }  // namespace geomesh::geomodel::page

@@ -25,7 +25,6 @@ std::string base64_of(const std::vector<T>& values) {
 /// Largest number of poor elements that the viewer highlights.
 constexpr std::size_t most_worst_shown = 50;
 
-/// The mesh points that are drawn, renumbered in the order of their first use.
 class UsedPoints {
  public:
   UsedPoints(const ModelMesh& mesh, const Vec3& middle)

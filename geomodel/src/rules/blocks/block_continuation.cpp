@@ -3,6 +3,7 @@
 // entirely beyond a fault are left out, since nearly equal extensions of all blocks would cross there and be cut off.
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "common/union_find.hpp"
 #include "naming/sheets.hpp"
@@ -60,37 +61,79 @@ void for_each_edge_of(const Triangle& v, F&& visit) {
   }
 }
 
-/// Returns the connected sets of triangles without a block that only block `own` surrounds. They lie around a fault
-/// both of whose ends are inside the model, where no extension from the outer border arrives.
-std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std::vector<Index>& block, Index own) {
-  const std::vector<Triangle> triangles = merged_triangles(horizon);
-  const auto edges_of = [&](Index t, auto&& visit) {
+using MapEdges = std::set<MapEdge>;
+
+/// Returns the edges of the triangles that `counts` accepts.
+template <class F>
+MapEdges edges_of(const std::vector<Triangle>& triangles, F&& counts) {
+  MapEdges edges;
+  for (Index t = 0; t < triangles.size(); ++t)
+    if (counts(t)) for_each_edge_of(triangles[t], [&](const MapEdge& e) { edges.insert(e); });
+  return edges;
+}
+
+/// Returns the groups of connected triangles, among those that `counts` accepts, whose outer edges are all `held`.
+template <class F>
+std::vector<std::vector<Index>> enclosed_groups(const std::vector<Triangle>& triangles, const MapEdges& held,
+                                                F&& counts) {
+  const auto visit_edges = [&](Index t, auto&& visit) {
     for_each_edge_of(triangles[t], [&](const MapEdge& e) {
       if (e.first != e.second) visit(e);
     });
   };
-  std::map<MapEdge, Index> at_edge;  // triangles without a block, by edge
-  UnionFind joined(block.size());
-  std::map<MapEdge, bool> is_held;  // by the block
-  for (Index t = 0; t < block.size(); ++t)
-    edges_of(t, [&](const MapEdge& e) {
-      if (block[t] == own || block[t] == BuiltRows::of_every_block) is_held[e] = true;
-      if (block[t] != BuiltRows::of_no_block) return;
-      const auto [at, is_new] = at_edge.emplace(e, t);
-      if (!is_new) {
+  std::map<MapEdge, Index> at_edge;
+  MapEdges inner;
+  UnionFind joined(triangles.size());
+  for (Index t = 0; t < triangles.size(); ++t)
+    if (counts(t))
+      visit_edges(t, [&](const MapEdge& e) {
+        const auto [at, is_new] = at_edge.emplace(e, t);
+        if (is_new) return;
         joined.unite(at->second, t);
-        is_held[e] = true;  // edges inside a set of triangles without a block
-      }
-    });
-  std::map<Index, bool> is_enclosed;
-  for (Index t = 0; t < block.size(); ++t) {
-    if (block[t] != BuiltRows::of_no_block) continue;
-    bool& all = is_enclosed.emplace(joined.find(t), true).first->second;
-    edges_of(t, [&](const MapEdge& e) { all = all && is_held.count(e) > 0; });
-  }
+        inner.insert(e);
+      });
+  std::map<Index, std::vector<Index>> groups;
+  std::set<Index> open;
+  for (Index t = 0; t < triangles.size(); ++t)
+    if (counts(t)) {
+      groups[joined.find(t)].push_back(t);
+      visit_edges(t, [&](const MapEdge& e) {
+        if (!held.contains(e) && !inner.contains(e)) open.insert(joined.find(t));
+      });
+    }
+  std::vector<std::vector<Index>> enclosed;
+  for (auto& [group, rows] : groups)
+    if (!open.contains(group)) enclosed.push_back(std::move(rows));
+  return enclosed;
+}
+
+/// Returns the connected sets of triangles without a block that only block `own` surrounds, where no extension from the
+/// outer border arrives: those around a fault both of whose ends are inside the model, and those between the block and
+/// the triangles that join it with other blocks beyond the tip of a fault.
+std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const SortedBlocks& sorted, Index own) {
+  TriangulatedSurface all = horizon;
+  all.triangles.insert(all.triangles.end(), sorted.beside_joining.begin(), sorted.beside_joining.end());
+  const std::vector<Triangle> triangles = merged_triangles(all);
+  const std::vector<Index>& block = sorted.of_triangle;
+  const auto n = static_cast<Index>(block.size());
+  const auto is_own = [&](Index t) { return t < n && (block[t] == own || block[t] == BuiltRows::of_every_block); };
+  const auto is_remade = [&](Index t) { return t < n && block[t] == BuiltRows::of_no_block; };
+  const MapEdges held = edges_of(triangles, is_own);
   std::vector<Triangle> enclosed;
-  for (Index t = 0; t < block.size(); ++t)
-    if (block[t] == BuiltRows::of_no_block && is_enclosed.at(joined.find(t))) enclosed.push_back(horizon.triangles[t]);
+  for (const std::vector<Index>& group : enclosed_groups(triangles, held, is_remade))
+    for (const Index t : group) enclosed.push_back(all.triangles[t]);
+  const MapEdges joining = edges_of(triangles, [&](Index t) { return t >= sorted.first_joining && t < n; });
+  const MapEdges remade = edges_of(triangles, is_remade);
+  for (const std::vector<Index>& group : enclosed_groups(triangles, held, [&](Index t) { return t >= n; })) {
+    bool joins = false, is_covered = false;
+    for (const Index t : group)
+      for_each_edge_of(triangles[t], [&](const MapEdge& e) {
+        joins = joins || joining.contains(e);
+        is_covered = is_covered || remade.contains(e);
+      });
+    if (!joins || is_covered) continue;
+    for (const Index t : group) enclosed.push_back(all.triangles[t]);
+  }
   return enclosed;
 }
 
@@ -117,7 +160,7 @@ std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size
   }
   std::vector<std::uint8_t> beyond(n, 0);
   for (std::size_t f = 0; f < sides.n_faults(); ++f) {
-    // For each connected set of triangles, whether all of them lie beyond the fault, by the set's representative.
+    // For each connected set of triangles, by its union-find root: whether all of them lie beyond the fault.
     std::vector<std::uint8_t> is_all(n + 1, 1);
     is_all[joined.find(static_cast<Index>(n))] = 0;
     for (Index k = 0; k < n; ++k)
@@ -130,15 +173,16 @@ std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size
 
 }  // namespace
 
-bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
+bool extend_blocks(TriangulatedSurface& horizon, SortedBlocks& sorted, const BlockFaults& parting,
                    const BuildLog& log) {
   const std::vector<ThrowFault>& faults = parting.faults;
+  std::vector<Index>& block = sorted.of_triangle;
   if (block.empty()) return true;
   bool all_are_continued = true;
   const TriangulatedSurface given = horizon;
   const Index n_blocks = BuiltRows::n_blocks(block);
   const std::size_t n_sorted = block.size();
-  const std::vector<Index> block_as_sorted = block;
+  const SortedBlocks as_sorted = sorted;
   std::vector<FaultSides> fault_sides;
   for (const ThrowFault& fault : faults) fault_sides.emplace_back(*fault.surface);
   for (Index b = 0; b < n_blocks; ++b) {
@@ -147,7 +191,7 @@ bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, cons
     for (std::size_t t = 0; t < n_sorted; ++t)
       if (block[t] == b || block[t] == BuiltRows::of_every_block) part.triangles.push_back(given.triangles[t]);
     const std::size_t n_given = part.triangles.size();
-    const std::vector<Triangle> enclosed = enclosed_by(given, block_as_sorted, b);
+    const std::vector<Triangle> enclosed = enclosed_by(given, as_sorted, b);
     part.triangles.insert(part.triangles.end(), enclosed.begin(), enclosed.end());
     all_are_continued = extend_to_box(part, parting.how, parting.box, log, {b}) && all_are_continued;
     const auto shift = static_cast<VertexIndex>(horizon.points.size() - given.points.size());

@@ -90,22 +90,23 @@ bool overshoots_an_end(const TriangulatedSurface& horizon, const BlockFaults& pa
 std::string part_into_blocks(BuiltSurfaces& built, std::size_t s, const BlockFaults& parting,
                              const RestoredThrow& restored, const BuildLog& log) {
   TriangulatedSurface& surface = built.surfaces[s];
-  auto [block, sides] = sort_into_blocks(surface, parting, log, {restored.sheet, restored.before});
+  SortedBlocks sorted = sort_into_blocks(surface, parting, log, {restored.sheet, restored.before});
+  std::vector<Index>& block = sorted.of_triangle;
   const Index n_blocks = BuiltRows::n_blocks(block);
   if (n_blocks == 0) return ", since all of it does";
-  if (lies_in_no_block(surface, block, sides, parting)) return ": no block is given between two of them";
+  if (lies_in_no_block(surface, block, sorted.sides, parting)) return ": no block is given between two of them";
   const bool goes_partly = std::find(block.begin(), block.end(), BuiltRows::of_no_block) != block.end() ||
                            overshoots_an_end(surface, parting);
-  if (!extend_blocks(surface, block, parting, log) && goes_partly) return " from blocks that cannot be continued";
+  if (!extend_blocks(surface, sorted, parting, log) && goes_partly) return " from blocks that cannot be continued";
   if (n_blocks == 1)
     log.warnings.push_back("horizon " + surface.name +
                            ": all of it lies on one side of the faults across which it is to have throw");
   built.rows.block_of_triangle[s] = std::move(block);
-  built.rows.sides_of_block[s] = std::move(sides);
+  built.rows.sides_of_block[s] = std::move(sorted.sides);
   return "";
 }
 
-/// Removes faults that end inside the model from the list. Returns false, without a change, if none or all do.
+/// Keeps only those dividing faults that do not end in the model. Returns false, without a change, if none or all do.
 bool keep_through(PartingFaults& parting, const Box3& box) {
   PartingFaults through;
   for (std::size_t k = 0; k < parting.faults.size(); ++k)

@@ -30,7 +30,7 @@ void refuse_upright(const TriangulatedSurface& fault, const TriangulatedSurface&
                                             "place in the fault block (domain: {block: [x, y, z]})");
 }
 
-/// For each fault, returns whether the field of the part is valid above the fault; empty if it is valid on both sides.
+/// For each fault, returns whether one of the horizon's fields is valid above it; empty if it is valid on both sides.
 std::vector<std::optional<bool>> sides_of(const FieldPart& part, const std::vector<const TriangulatedSurface*>& faults,
                                           const TriangulatedSurface& horizon) {
   std::vector<std::optional<bool>> sides;

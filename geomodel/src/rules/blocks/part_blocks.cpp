@@ -16,7 +16,7 @@ namespace {
 
 using Origin = PolygonSoup::Origin;
 
-/// For each connected piece, returns the area that stems from triangles accepted by `counts`.
+/// For each connected piece of a horizon, returns the area that stems from input triangles accepted by `counts`.
 std::vector<double> area_of(const WorkingSoup& soup, const std::vector<Piece>& pieces,
                             const std::function<bool(const Origin&)>& counts) {
   std::vector<double> area(pieces.size(), 0);
@@ -125,8 +125,8 @@ class HorizonParting {
     return kept;
   }
 
-  /// Returns whether most of the area of a block's piece (of triangles that `counts` accepts) lies on the block's side
-  /// of each fault. Such a piece is kept: either the block left the box and came back, or it has several parts.
+  /// Returns whether most of the area of a piece of a block, from triangles that `counts` accepts, lies on the block's
+  /// side of each fault. Such pieces are kept: the block left the box and came back, or has several parts.
   bool lies_on_own_side(const Piece& piece, Index block, const std::function<bool(const Origin&)>& counts) const {
     const std::vector<bool>& sides = p_.built.sides_of_block[horizon_][block];
     std::vector<double> balance(fault_sides_.size(), 0);

@@ -22,9 +22,9 @@ namespace {
 
 // Margin on either side of a ramp (throw smeared by gridding), in median edge lengths of the horizon in the map.
 constexpr double margin_of_ramp = 1;
-// Largest and smallest restored throw that is accepted, as a fraction of the ramps' height.
+// Largest and smallest throw accepted in place of ramps, as fractions of the ramps' height.
 constexpr double most_of_step = 2, least_of_step = 0.25;
-// Least number of triangles of a separate part; smaller ones between ramps are treated as part of the ramps.
+// Least number of triangles of a connected part of the horizon; smaller parts between ramps count as parts of ramps.
 constexpr std::size_t least_sheet = 24;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -291,17 +291,17 @@ class Restorer {
   std::vector<Crossing> crossing_;            ///< per given triangle
   const BuildLog& log_;
   double edge_, widest_ = 0;
-  std::vector<FaultFaces> faces_;  ///< faults of this horizon, followed by all other faults
+  std::vector<FaultFaces> faces_;  ///< faults at which the horizon may have ramps, followed by all other faults
   std::vector<Ramp> ramps_;
   std::vector<std::size_t> n_across_;   ///< number of triangles that cross each fault
   std::vector<std::uint8_t> in_strip_;  ///< per given triangle
-  /// For each original node: the nearest fault and the distance from it, perpendicular to strike.
+  /// For each original node of the horizon: the nearest fault, and the distance from it perpendicular to its strike.
   std::vector<std::pair<Index, double>> nearest_fault_;
-  std::vector<Vec2> across_;  ///< for each original node: direction perpendicular to the strike of its nearest fault
-  /// For each original triangle, the number of its connected part; and the numbers of the parts that are large enough
-  /// to be kept.
+  std::vector<Vec2> across_;  ///< for each original node of the horizon: direction across the nearest fault's strike
+  /// For each original triangle of the horizon, the number of its connected part after ramps were removed; and the
+  /// numbers of those parts that are large enough to be kept.
   std::vector<Index> sheet_, numbers_;
-  /// For each original node in a ramp: heights extrapolated from the two sides of the fault.
+  /// For each original node of the horizon in a ramp: heights extrapolated from the two sides of the fault.
   std::map<VertexIndex, std::vector<double>> heights_;
 };
 

@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// A fault at which a horizon may have a ramp.
+/// A fault at which a horizon may have a ramp (throw smeared by gridding).
 struct RampFault {
   ThrowFault fault;
   const TriangulatedSurface* stop = nullptr;  ///< surface at which the fault ends; null if there is none
@@ -19,8 +19,8 @@ struct RestoredThrow {
   /// For each triangle, the number of its connected part of the horizon; BuiltRows::of_every_block for triangles around
   /// a fault's tip. Empty if the horizon was not changed.
   std::vector<Index> sheet;
-  Index n_given = 0;             ///< number of original triangles that were kept; they come first
-  std::vector<Triangle> before;  ///< all original triangles of the horizon
+  Index n_given = 0;             ///< number of original triangles of the horizon that were kept; they come first
+  std::vector<Triangle> before;  ///< triangles of the horizon before its ramps were removed
 };
 
 /// Removes the ramps from the horizon and extrapolates the surface beside them across the fault. Each side is extended

@@ -20,7 +20,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Fraction of the greatest throw that may remain at the end of a fault without a warning.
 constexpr double most_throw_left = 0.5;
-constexpr double much_alone = 0.02;  // fraction of the horizon's area in the box that may lie in no block
+constexpr double much_alone = 0.02;  // fraction of the horizon's area in the box that may belong to no fault block
 
 bool is_in(const Box3& box, const Vec3& p) {
   return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
@@ -32,7 +32,7 @@ bool is_in(const Box3& box, const Vec3& p) {
 template <class F>
 SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
                               const std::vector<ThrowFault>& faults, F&& counts) {
-  // For each connected part and fault: area above the fault minus area below it.
+  // For each connected part of the horizon and each fault: area of the part above the fault minus its area below.
   std::map<Index, std::vector<double>> balance;
   std::vector<FaultSides> sides;
   for (const ThrowFault& fault : faults) sides.emplace_back(*fault.surface);
@@ -86,7 +86,7 @@ class Ends {
     std::map<Index, double> area;
     for (Index t = 0; t < part_.size(); ++t)
       if (is_free(t)) area[part_[t]] += area_of(horizon_, t);
-    std::map<Index, Index> largest;  // largest part of each connected part of the horizon
+    std::map<Index, Index> largest;  // largest piece that faults leave of each connected part of the horizon
     for (const auto& [part, size] : area) {
       kept_[part] = false;
       const auto [at, is_new] = largest.emplace(whole_[part], part);
@@ -108,7 +108,7 @@ class Ends {
     UnionFind joined(n);
     for (const auto& [a, b] : neighbours_)
       if (is_of_a_place(a) && is_of_a_place(b)) joined.unite(a, b);
-    std::map<Index, std::set<Index>> beside;  // kept parts beside each group of triangles that cross faults
+    std::map<Index, std::set<Index>> beside;  // the horizon's kept parts beside each group of triangles across faults
     for (const auto& [a, b] : neighbours_)
       for (const auto& [at, other] : {std::pair(a, b), std::pair(b, a)})
         if (is_of_a_place(at) && is_free(other) && kept_.at(part_[other])) beside[joined.find(at)].insert(part_[other]);
@@ -163,7 +163,7 @@ void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, doubl
 }
 
 /// Extends the surface of all blocks, and appends its new triangles around the tips of faults to the horizon.
-void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, TriangulatedSurface joint,
+void join_round_ends(TriangulatedSurface& horizon, SortedBlocks& sorted, TriangulatedSurface joint,
                      const BlockFaults& parting, const BuildLog& log) {
   std::vector<std::string> notes, warnings;
   const std::size_t n_kept = joint.triangles.size();
@@ -173,17 +173,19 @@ void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, Tr
     log.warnings.push_back("horizon " + horizon.name + ", about the end of its faults: " + warnings.front());
   const std::vector<Crossing> crossing = find_crossings(joint, n_kept, parting.faults, parting.box);
   const std::size_t first = horizon.triangles.size();
+  sorted.first_joining = static_cast<Index>(first);
   horizon.points = joint.points;
   double at_end = 0, greatest = 0;
   for (std::size_t k = 0; k < crossing.size(); ++k) {
-    if (crossing[k] == Crossing::none) continue;
     const Triangle& t = joint.triangles[n_kept + k];
+    if (crossing[k] != Crossing::continuation) sorted.beside_joining.push_back(t);
+    if (crossing[k] == Crossing::none) continue;
     const double across = throw_across(joint, t, parting.faults, parting.box);
     greatest = std::max(greatest, across);
     if (crossing[k] != Crossing::continuation) continue;
     at_end = std::max(at_end, across);
     horizon.triangles.push_back(t);
-    block.push_back(BuiltRows::of_every_block);
+    sorted.of_triangle.push_back(BuiltRows::of_every_block);
   }
   if (horizon.triangles.size() > first) tell_throw(horizon, horizon.triangles.size() - first, at_end, greatest, log);
 }
@@ -241,7 +243,7 @@ SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& p
       if (block[t] != BuiltRows::of_no_block && !ends.is_overshoot(t)) joint.triangles.push_back(horizon.triangles[t]);
     }
   }
-  if (one_ends_inside) join_round_ends(horizon, block, std::move(joint), parting, log);
+  if (one_ends_inside) join_round_ends(horizon, sorted, std::move(joint), parting, log);
   return sorted;
 }
 

@@ -20,7 +20,7 @@ struct BlockFaults {
 
 /// The connected parts of a horizon after its ramps were removed; empty lists if they are not known.
 struct KnownSheets {
-  std::vector<Index> sheet{};      ///< for each triangle, its connected part, or BuiltRows::of_every_block
+  std::vector<Index> sheet{};      ///< for each triangle: connected part of the horizon, or BuiltRows::of_every_block
   std::vector<Triangle> before{};  ///< triangles of the horizon before ramps were removed
 };
 
@@ -28,6 +28,10 @@ struct KnownSheets {
 struct SortedBlocks {
   std::vector<Index> of_triangle;
   std::vector<std::vector<bool>> sides{};  ///< for each block: whether it lies above each of the faults
+  /// Row of the first triangle that was added to join blocks beyond the tip of a fault; they are the last.
+  Index first_joining = no_index;
+  /// Triangles of the same triangulation that cross no extension of a fault.
+  std::vector<Triangle> beside_joining{};
 };
 
 /// Assigns each triangle of a horizon to a block. Connected parts ("sheets") whose area lies mostly on the same sides
@@ -48,11 +52,11 @@ SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& p
 bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
                       const std::vector<std::vector<bool>>& sides, const BlockFaults& parting);
 
-/// Extends each block beyond the box with the rule of extend_to_box(); `block` grows with the triangles. The blocks
-/// then cross each other near the faults, where trim_soup() cuts them off. Parts entirely beyond a fault are left out.
-/// Triangles that cross a fault with both ends inside the model, and that one block surrounds, are returned to this
-/// block unchanged. Returns false, with a warning, if a block could not be extended.
-bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
-                   const BuildLog& log);
+/// Extends each block beyond the box with the rule of extend_to_box(); the block of each new triangle is appended to
+/// `sorted`. The blocks then cross each other near the faults, where trim_soup() cuts them off. Parts entirely beyond a
+/// fault are left out. Triangles that cross a fault with both ends inside the model, and that one block surrounds, are
+/// returned to this block unchanged; so are triangles of SortedBlocks::beside_joining that one block and the joining
+/// triangles surround. Returns false, with a warning, if a block could not be extended.
+bool extend_blocks(TriangulatedSurface& horizon, SortedBlocks& sorted, const BlockFaults& parting, const BuildLog& log);
 
 }  // namespace geomesh::geomodel

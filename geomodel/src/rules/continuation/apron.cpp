@@ -49,7 +49,7 @@ class UnpartedEdges {
   const TriangulatedSurface& surface_;
   Index row_;
   const Walls& walls_;
-  std::map<VertexIndex, std::set<VertexIndex>> ring_;  ///< neighbours of each vertex, computed when first needed
+  std::map<VertexIndex, std::set<VertexIndex>> ring_;  ///< neighbours of surface vertices, computed when needed
 };
 
 /// Returns whether the surface's triangles along the border are mostly counter-clockwise in the frame.
@@ -86,7 +86,7 @@ class ApronSides {
       if (grid.nodes()[v].is_seen) side_[v] = joined.find(v);
   }
 
-  /// Returns the side (connected set) of a node, or no_index if the node is not visible from the border.
+  /// Returns the set of connected visible nodes to which a node belongs; no_index if the border does not see the node.
   Index operator[](Index v) const { return side_[v]; }
   std::set<Index> of(const Corners& t) const {
     std::set<Index> sides;
@@ -101,7 +101,7 @@ class ApronSides {
       if (parted_border_.contains(std::minmax(t[i], t[(i + 1) % 3]))) return true;
     return false;
   }
-  /// Returns the side whose border edge leads to v, if a bounding surface separates v from the edge; else no_index.
+  /// Returns the side (node set) of the border edge leading to v, if a bounding surface is between them; else no_index.
   Index before(Index v) const {
     if (v >= grid_.n_border()) return no_index;
     const std::size_t n = grid_.chain().n_edges();
@@ -148,8 +148,8 @@ class SidedApron {
 
  private:
   void copy_triangles() {
-    // Sides of the bounding surfaces, by each edge of a triangle for which triangles with the heights of this side were
-    // added.
+    // For each edge of triangles copied so far: the sides of bounding surfaces from which the copies have their
+    // heights.
     std::map<std::pair<Index, Index>, std::set<Index>> sides_at;
     std::vector<const Corners*> unseen;
     for (const Corners& t : grid_.triangles()) {
@@ -168,7 +168,7 @@ class SidedApron {
         for (std::size_t i = 0; i < 3; ++i) sides_at[std::minmax(t[i], t[(i + 1) % 3])].insert(side);
       }
     }
-    // A triangle beside visible ones may be partly visible although no corner is, as where two bounding surfaces meet.
+    // A triangle with no corner visible from the border may be partly visible, as where two bounding surfaces meet.
     for (const Corners* t : unseen) {
       std::set<Index> sides;
       for (std::size_t i = 0; i < 3; ++i)
@@ -179,7 +179,7 @@ class SidedApron {
     apron_.walls.assign(grid_.hidden_by().begin(), grid_.hidden_by().end());
   }
 
-  /// Adds a copy of the triangle with heights extrapolated from one side of the bounding surfaces.
+  /// Adds a copy of a triangle that bounding surfaces divide, with heights extrapolated from one of their sides.
   void copy(const Corners& t, Index side) {
     Triangle own;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -205,10 +205,10 @@ class SidedApron {
     if (is_new) at->second = add_point(grid_.nodes()[v].point);
     return at->second;
   }
-  /// Returns a copy of the border or grid node v whose height comes from another side of the bounding surfaces;
+  /// Returns a copy of the border or grid node v with a height from `side`, another side of the bounding surfaces;
   /// no_vertex if that side has no border nearby.
   VertexIndex twin_of(Index v, Index side) {
-    if (sides_.before(v) == side) return row_of(v);  // v is a border vertex already connected with that side
+    if (sides_.before(v) == side) return row_of(v);  // the surface itself connects border vertex v with nodes of `side`
     const auto [at, is_new] = rows_.emplace(std::pair(v, side), no_vertex);
     if (!is_new) return at->second;
     const Vec2& p = grid_.nodes()[v].place;

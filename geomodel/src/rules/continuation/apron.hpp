@@ -13,10 +13,10 @@ namespace geomesh::geomodel {
 /// then `added`.
 struct Apron {
   std::vector<Vec3> added;
-  std::vector<Triangle> triangles;  ///< triangles, oriented as the surface's triangle at the border
-  std::vector<Index> side;          ///< for each triangle: the side of the bounding surfaces whose heights it has
+  std::vector<Triangle> triangles;  ///< triangles of the strip, oriented as the surface at its border
+  std::vector<Index> side;          ///< for each triangle: the side of bounding surfaces from which its heights come
   std::vector<Index> walls;         ///< indices of the surfaces that the strip of triangles crosses, ascending
-  bool crosses_itself = false;  ///< whether the run of border crosses itself in the plane, so that the apron is empty
+  bool crosses_itself = false;  ///< whether the continued border crosses itself in the plane; the strip is then empty
 };
 
 /// The plane in which an apron (the strip of triangles beside a run of border) has one height at each place: the map

@@ -9,7 +9,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Smallest spacing of grid points as a fraction of the strip's width, which then has at most about ten rows.
+/// Smallest spacing of grid points as a fraction of the width of the strip that continues a surface: about ten rows.
 constexpr double least_step = 1.0 / 8;
 /// Smallest distance of grid points from the border, as a fraction of their spacing.
 constexpr double room_at_border = 0.5;
@@ -41,7 +41,7 @@ ApronGrid::ApronGrid(const TriangulatedSurface& surface, Index row, const Border
 ApronNode ApronGrid::node_at(const Vec2& p, const ChainInPlane::Nearest& at) const {
   return {p, frame_.to_model({p.x, p.y, chain_.height(p, at)}), at.distance, at.edge};
 }
-/// Returns whether a bounding surface hides the node from a border place; from places beyond one, no node is visible.
+/// Returns whether a bounding surface hides the node from a border place, or separates that place from the surface.
 bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at) {
   const std::uint8_t cut_off = border_.cut_off[at.edge];
   if (cut_off == 3) return true;
@@ -56,7 +56,7 @@ bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at
   return hit.has_value();
 }
 
-/// Adds grid points beside the run of border, on a grid that is fixed in space and does not depend on the border.
+/// Adds grid points beside the border that is continued, on a grid that is fixed in space whatever the border.
 void ApronGrid::add_grid() {
   Vec2 low = nodes_.front().place, high = low;
   for (const ApronNode& n : nodes_) {
@@ -76,8 +76,8 @@ void ApronGrid::add_node(const Vec2& p, double reach) {
   if (!nearest || nearest->distance < room_at_border * step_ || nearest->distance > reach ||
       !chain_.is_outside(p, *nearest))
     return;
-  // Beyond the distance of continuation, a grid node is visible only if nothing hides it from the nearest border, which
-  // no bounding surface then stops.
+  // Beyond the distance of continuation, a grid node counts as visible only if no bounding surface hides it from the
+  // nearest border edge.
   for (const ChainInPlane::Nearest& at : chain_.all_near(p, reach)) {
     if (at.distance > within_ && at.distance > nearest->distance) break;
     const ApronNode node = node_at(p, at);
@@ -89,7 +89,7 @@ void ApronGrid::add_node(const Vec2& p, double reach) {
   nodes_.back().is_seen = false;
 }
 
-/// Triangulates the nodes. Returns false if the run of border crosses itself in the plane.
+/// Triangulates the border's vertices and the grid. Returns false if the border crosses itself in the plane.
 bool ApronGrid::find_triangles() {
   std::vector<std::pair<Index, Index>> constraints;
   for (std::size_t e = 0; e < chain_.n_edges(); ++e)
@@ -113,8 +113,8 @@ bool ApronGrid::is_in_model(const Vec3& p) const {
          p.y < bounds_.max.y && p.z < bounds_.max.z;
 }
 
-/// Removes triangles at border edges from which a point of the model beyond the distance is visible: no bounding
-/// surface stops the surface there, and the border remains open.
+/// Removes the triangles at border edges from which a grid node in the model beyond the distance of continuation is
+/// visible: no bounding surface stops the surface there, and the border remains open.
 void ApronGrid::leave_out_open() {
   std::vector<std::uint8_t> is_open(chain_.n_edges(), 0);
   for (Index v = n_border_; v < nodes_.size(); ++v)

@@ -16,8 +16,8 @@ namespace geomesh::geomodel {
 struct ApronNode {
   Vec2 place;
   Vec3 point;           ///< in the model
-  double distance = 0;  ///< distance from the place of the border whose height the node continues
-  Index edge = 0;       ///< border edge whose height the node continues
+  double distance = 0;  ///< distance from the border's place from which the node's height is extrapolated
+  Index edge = 0;       ///< border edge from which the node's height is extrapolated
   bool is_seen = true;  ///< whether no bounding surface lies between the node and the border
 };
 
@@ -31,14 +31,14 @@ class ApronGrid {
             const ApronSetting& setting);
 
   const std::vector<ApronNode>& nodes() const { return nodes_; }
-  /// Triangles of the strip, without those at which the border remains open.
+  /// The strip's triangles, except those at border edges that remain open.
   const std::vector<Corners>& triangles() const { return triangles_; }
-  bool crosses_itself() const { return crosses_itself_; }  ///< whether the run of border crosses itself in the plane
+  bool crosses_itself() const { return crosses_itself_; }  ///< whether the continued border crosses itself in the plane
   Index n_border() const { return n_border_; }
   const ChainInPlane& chain() const { return chain_; }
-  /// Indices of the surfaces that hide nodes from the border.
+  /// Indices of the bounding surfaces that hide grid nodes from the continued border.
   const std::set<Index>& hidden_by() const { return crossed_; }
-  /// Returns the node at the place p of the plane, with the height extrapolated from the border.
+  /// Returns the strip's node at the place p of the plane, with the height extrapolated from the border.
   ApronNode node_at(const Vec2& p, const ChainInPlane::Nearest& at) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Spacing of the grid as a fraction of the radius, so that a disc which fits into a gap covers some grid points.
+/// Spacing of the grid as a fraction of the disc's radius, so that a disc that fits into a gap covers some grid points.
 constexpr double step_of_radius = 0.5;
 /// Largest number of grid points. More would take seconds, and arise only for a tiny distance of continuation.
 constexpr double most_places = 1e6;

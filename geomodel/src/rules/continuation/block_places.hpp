@@ -15,12 +15,12 @@
 
 namespace geomesh::geomodel {
 
-/// A horizon, and the blocks and bounding surfaces in which it is continued. Referenced data must outlive this object.
+/// A horizon, and the blocks and bounding surfaces of its continuation, as in BlockSetting. References must stay valid.
 struct HorizonInBlocks {
   const TriangulatedSurface& horizon;
   Index row;
   const BlockFramework& framework;
-  const Walls& cutters;  ///< members from here on have the same meaning as in struct BlockSetting
+  const Walls& cutters;  ///< faults and bodies that bound the blocks in which the horizon is continued
   const Walls& walls;
   double within;
   const HorizonDivision& division;
@@ -42,7 +42,7 @@ class BlockPlaces {
   const SheetBorder& border() const { return border_; }
   const std::vector<Vec3>& points() const { return points_; }
   std::size_t n_border() const { return n_border_; }       ///< the first points
-  double distance(Index v) const { return distance_[v]; }  ///< distance in m from the horizon's border, in the map
+  double distance(Index v) const { return distance_[v]; }  ///< map distance in m of place v from the horizon's border
   /// Returns whether the place is in the block and may be filled. It may not where the surface already reaches a wall
   /// (bounding surface) before its border, or beyond another horizon, which ends the continuation as walls do.
   bool is_in_block(Index v) const { return in_block_[v]; }
@@ -65,7 +65,7 @@ class BlockPlaces {
   std::vector<Vec3> points_;
   std::vector<double> distance_;
   std::vector<Vec2> slope_;
-  std::vector<Vec3> inside_;  ///< per place: centroid of the horizon's triangle at the nearest border
+  std::vector<Vec3> inside_;  ///< per place: centroid of the horizon's triangle at the border edge nearest to it
   std::vector<bool> in_block_;
   std::size_t n_border_;
   std::vector<Vec3> open_;  ///< centres of discs

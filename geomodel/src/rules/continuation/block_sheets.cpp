@@ -20,7 +20,7 @@ class Continuation {
     made_.block = block;
   }
 
-  /// Makes the continuation; nothing if the border crosses itself in the map, or the distance is too short for a grid.
+  /// Continues a horizon in a block; nothing if its border crosses itself in the map, or the grid would have no points.
   std::optional<BlockExtension> make() {
     if (!places_.has_grid()) return std::nullopt;
     std::vector<Vec2> in_map;
@@ -44,7 +44,7 @@ class Continuation {
   }
 
  private:
-  /// Adds up the length of border that triangles continue, and finds their farthest place before a bounding surface.
+  /// Adds the length of border that triangle t continues, and finds the place of t farthest from the horizon's border.
   void book(const std::array<Index, 3>& t) {
     const std::vector<Vec3>& points = places_.points();
     const auto look_at = [&](const Vec3& p, double distance) {
@@ -71,7 +71,7 @@ class Continuation {
     made_.triangles.push_back(own);
   }
 
-  /// Adds a margin: the triangles beyond the bounding surfaces that share a corner with kept triangles.
+  /// Adds a margin to the continuation: the triangles beyond bounding surfaces that share a corner with kept ones.
   void add_margin(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) {
     std::vector<bool> is_reached(places_.points().size(), false);
     for (std::size_t k = 0; k < all.size(); ++k)

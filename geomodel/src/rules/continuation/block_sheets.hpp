@@ -14,12 +14,12 @@ namespace geomesh::geomodel {
 /// The continuation of a horizon in one block. It reaches beyond the block's bounding surfaces, which cut it later.
 struct BlockExtension {
   Index block = no_index;
-  std::vector<Vec3> added;          ///< added points; they are numbered after those of the surface
-  std::vector<Triangle> triangles;  ///< new triangles, with the surface's orientation
-  /// Indices of the surfaces that the triangles cross, ascending; Walls::side_of_volume last.
+  std::vector<Vec3> added;          ///< points added to the surface; they are numbered after its own points
+  std::vector<Triangle> triangles;  ///< triangles added to the surface, with its orientation
+  /// Indices of the surfaces that the continuation's triangles cross, ascending; Walls::side_of_volume last.
   std::vector<Index> walls;
-  double length = 0;  ///< length in m of the border that is continued
-  /// Distance in m between the original parts and the farthest place that was filled in the block.
+  double length = 0;  ///< length in m of the horizon's border that is continued in the block
+  /// Distance in m between the horizon's original parts and the farthest place of the block to which it was continued.
   double farthest = 0;
   Vec3 place;  ///< there
 };
@@ -39,7 +39,7 @@ struct BlockSetting {
   const Walls& cutters;  ///< faults and bodies
   const Walls& walls;    ///< surfaces at which continuations end: faults, bodies, horizons, model sides
   double within = 0;     ///< m
-  /// Whether places are filled however far they are from the data of their block.
+  /// Whether horizons are continued through each whole block, however far that is from their data in the block.
   bool fills_blocks = false;
   /// For each block, whether the horizon must be absent from it; empty if it may be present in all blocks.
   std::vector<bool> is_left_out{};

@@ -20,9 +20,9 @@ struct LoopEdge {
   VertexIndex a, b;
   Index triangle;
   double length;
-  bool goes_on = true;       ///< false if the surface already reaches a bounding surface before this edge
+  bool goes_on = true;       ///< false if the surface already reaches a bounding surface before this border edge
   std::uint8_t cut_off = 0;  ///< BorderChain::cut_off
-  bool is_beyond = false;    ///< whether the edge lies outside the model
+  bool is_beyond = false;    ///< whether the border edge lies outside the model
   bool enters = false;       ///< whether the edge lies on a side of the box, with its triangle outside of it
   bool counts = true;  ///< false for edges outside the model, where the continuation will be cut off with the surface
   std::optional<Walls::Hit> hit{};  ///< the nearest bounding surface in front of the edge; `share` is its distance in m
@@ -53,7 +53,7 @@ class CutOffBorder {
  public:
   CutOffBorder(const TriangulatedSurface& s, const std::vector<BorderEdge>& border, Index row, const Walls& walls)
       : merged_(merge_equal_points(s.points)), joined_(s.points.size() + 1) {
-    const auto inner = static_cast<Index>(s.points.size());  // union-find index that stands for all inner vertices
+    const auto inner = static_cast<Index>(s.points.size());  // union-find index for the surface's inner vertices
     std::vector<std::pair<Index, Index>> crossed;
     std::vector<std::uint8_t> is_border(s.points.size(), 0);
     for (const BorderEdge& e : border) is_border[e.a] = is_border[e.b] = 1;
@@ -186,7 +186,7 @@ void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vec
     if (std::any_of(run.begin(), run.end(), [](const LoopEdge& e) { return e.goes_on && e.counts; }))
       chains.push_back(chain_of(s, run));
   };
-  const auto ends_after = [&](std::size_t k) {  // whether the loop is cut between edge k and the next
+  const auto ends_after = [&](std::size_t k) {  // whether a chain of border edges ends between edge k and the next
     return !loop[k].hit || !loop[(k + 1) % n].hit;
   };
   std::size_t cut = n;
@@ -223,18 +223,18 @@ double middle_in(const Box3& box, const Vec3& a, const Vec3& b, double rounding)
   return first < last && is_within(box, (1 - middle) * a + middle * b, -rounding) ? middle : 0.5;
 }
 
-/// Options for the search for bounding surfaces in front of the border.
+/// Options for the search for bounding surfaces in front of a surface's border.
 struct BorderSearch {
   Index row;
   const Walls& walls;
   const Box3& box;
   double within;
-  /// Whether an edge counts as continued if only a part of it stops short of a bounding surface. If false, the edge's
-  /// midpoint decides, since aprons continue whole edges.
+  /// Whether a border edge counts as continued if only a part of it stops short of a bounding surface. If false, the
+  /// edge's midpoint decides, since strips of triangles continue whole edges.
   bool by_parts;
 };
 
-/// Returns the loops of border edges, with the bounding surface in front of each; edges of `done` triangles have none.
+/// Returns loops of border edges, with the bounding surface in front of each edge; none for triangles marked `done`.
 std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& surface, const BorderSearch& how,
                                                     const std::vector<bool>& done) {
   const auto& [row, walls, box, within, by_parts] = how;

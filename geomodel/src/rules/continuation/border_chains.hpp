@@ -33,18 +33,18 @@ std::map<Index, double> lengths_before(const TriangulatedSurface& surface, Index
 
 /// A chain of border edges that have bounding surfaces in front of them.
 struct BorderChain {
-  std::vector<VertexIndex> vertices;  ///< points of the surface; edge k connects vertex k and the next
-  std::vector<Index> triangles;       ///< for each edge, the triangle at it
-  std::vector<std::uint8_t> goes_on;  ///< for each edge, 0 if the surface already reaches a bounding surface before it
-  /// Per edge, the sum of 1 if a bounding surface separates its first vertex from the surface, and 2 if one separates
-  /// its second vertex.
+  std::vector<VertexIndex> vertices;  ///< the surface's vertices along the chain; edge k connects vertex k and the next
+  std::vector<Index> triangles;       ///< for each edge of the chain: the surface's triangle at it
+  std::vector<std::uint8_t> goes_on;  ///< per edge of the chain: 0 if the surface reaches a bounding surface before it
+  /// For each edge of the chain, the sum of 1 if a bounding surface separates its first vertex from the surface, and 2
+  /// if one separates its second vertex.
   std::vector<std::uint8_t> cut_off;
-  bool closed = false;  ///< whether the last vertex is connected to the first
-  /// Indices of the surfaces in front of the chain's edges in the model, ascending; may include Walls::side_of_volume.
+  bool closed = false;  ///< whether the chain's last vertex is connected to its first
+  /// Indices of bounding surfaces in front of chain edges in the model, ascending; may include Walls::side_of_volume.
   std::vector<Index> walls;
   double farthest = 0;  ///< largest distance in m from an edge to the bounding surface in front of it
   double length = 0;    ///< m
-  Vec3 place;           ///< a place on the edge that is farthest from its bounding surface
+  Vec3 place;           ///< a place on that edge of the chain that is farthest from its bounding surface
   std::size_t n_edges() const { return triangles.size(); }
 };
 

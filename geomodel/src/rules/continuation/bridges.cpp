@@ -69,7 +69,7 @@ class Gaps {
     }
   }
 
-  /// Triangulates the gaps. Returns false if the border crosses itself in the projection.
+  /// Triangulates the gaps between the surface's borders. Returns false if the border crosses itself in the projection.
   bool find(const GapSetting& setting) {
     const auto& [within, box, holes_alone] = std::tie(setting.within, setting.box, setting.holes_alone);
     std::vector<Vec2> places;
@@ -165,7 +165,7 @@ class Gaps {
     std::set<Index> parting, run_across;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
-      // The tested segments are a little shorter than the edges, whose ends may be the tip of a bounding surface.
+      // Edges are tested a little shortened, because their ends may be the tip of a bounding surface.
       const Vec3 from = a + 1e-6 * (b - a), to = b + 1e-6 * (a - b);
       const bool is_border = is_border_.contains(std::minmax(t[i], t[(i + 1) % 3]));
       for (const Index s : walls.surfaces_on(from, to)) (is_border ? run_across : parting).insert(s);
@@ -188,7 +188,7 @@ class Gaps {
   bool faces_up_ = true;
 };
 
-/// Fills the gaps between border edges. Returns false, without a change, if edges cross in this projection.
+/// Fills gaps between a surface's border edges in one projection. Returns false, without change, if edges cross there.
 bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame,
             const GapSetting& setting) {
   Gaps gaps(surface, edges, frame);
@@ -268,7 +268,7 @@ void open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, co
   const std::vector<BorderEdge> edges = border_edges(horizon);
   UnionFind loops(horizon.points.size());
   for (const BorderEdge& e : edges) loops.unite(e.a, e.b);
-  std::map<Index, FilledHole> holes;  // holes by the loop of the border around them
+  std::map<Index, FilledHole> holes;  // filled holes of the horizon, by the border loop around each
   for (const Triangle& t : filled) holes[loops.find(t[0])].triangles.push_back(t);
   for (const BorderEdge& e : edges)
     if (const auto hole = holes.find(loops.find(e.a)); hole != holes.end()) hole->second.border.insert(e.a);

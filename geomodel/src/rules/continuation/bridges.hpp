@@ -23,8 +23,8 @@ struct GapSetting {
   const std::vector<Frame>& frames;
   Box3 box;
   double within = 0;                        ///< m
-  std::function<bool(const Vec3&)> counts;  ///< whether triangles may be added at a place
-  bool holes_alone = false;                 ///< whether only gaps enclosed by the border are filled
+  std::function<bool(const Vec3&)> counts;  ///< whether a triangle with its centroid at a place may be added
+  bool holes_alone = false;                 ///< whether only gaps enclosed by the surface's border are filled
 };
 
 /// Fills the areas between borders of the surface in the map with triangles of the borders' constrained Delaunay

@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 
 class ChainInPlane {
  public:
-  /// Continues with the slopes of the triangles at the border, averaged along the chain over `within` to both sides.
+  /// Continues surfaces with the slopes of triangles at the border, averaged along the chain over `within` both ways.
   ChainInPlane(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame, double within);
 
   struct Nearest {
@@ -24,20 +24,20 @@ class ChainInPlane {
     double along = 0;  ///< position of the nearest point on the edge, from 0 to 1
     double distance = 0;
   };
-  /// Returns the nearest point of the chain if it is no farther than twice `within`; farther points may or may not be
-  /// found.
+  /// Returns the point of the border chain that is nearest to p, if it is no farther than twice `within`; farther
+  /// points may or may not be found.
   std::optional<Nearest> nearest(const Vec2& p) const;
-  /// Returns the nearest point of each edge that is no farther than `most`, nearest first; `most` must be at most twice
-  /// `within`.
+  /// Returns the point nearest to p on each edge of the chain, if it is no farther than `most`, nearest first; `most`
+  /// must be at most twice `within`.
   std::vector<Nearest> all_near(const Vec2& p, double most) const;
   /// Returns whether p lies outside the surface beside the chain, as seen from its nearest point on the chain. False
   /// beyond an open end of the chain and beside edges that are not continued.
   bool is_outside(const Vec2& p, const Nearest& at) const;
-  /// Returns the coordinates of a nearest point, in the frame.
+  /// Returns the coordinates of a nearest point on the border chain, in the frame.
   Vec3 foot(const Nearest& at) const;
   double height(const Vec2& p, const Nearest& at) const;
 
-  const std::vector<Vec3>& points() const { return points_; }  ///< vertices of the chain, in the frame
+  const std::vector<Vec3>& points() const { return points_; }  ///< vertices of the chain, in the frame of the plane
   std::size_t n_edges() const { return slopes_.size(); }
   double mean_edge() const;
   std::size_t end_of(std::size_t edge) const { return (edge + 1) % points_.size(); }
@@ -50,7 +50,7 @@ class ChainInPlane {
   double length(std::size_t edge) const;
 
   std::vector<Vec3> points_;
-  std::vector<Vec2> slopes_, out_;     ///< slope and outward unit vector of each edge
+  std::vector<Vec2> slopes_, out_;     ///< for each edge of the chain: slope of the surface and outward unit vector
   std::vector<std::uint8_t> goes_on_;  ///< per edge
   bool closed_;
   double cell_;

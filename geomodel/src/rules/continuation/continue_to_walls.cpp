@@ -28,8 +28,8 @@ void share_points(TriangulatedSurface& surface) {
     for (VertexIndex& v : t) v = merged[v];
 }
 
-/// Records the number and the area of the triangles from index `first` on. If their area exceeds that of all triangles
-/// recorded before, also records a place in the largest of them.
+/// Records the number and the area of the triangles from index `first` on, which fill gaps in a surface. If their area
+/// exceeds that of all triangles recorded before, also records a place in the largest of them.
 void book_filled(ContinuedSurface& ledger, const TriangulatedSurface& s, Index first) {
   const double area_before = ledger.area_filled;
   double largest = 0, added = 0;
@@ -138,7 +138,7 @@ class Continuing {
     }
   }
 
-  /// Makes the strip of triangles beside a chain of border edges, in the first frame in which it does not cross itself.
+  /// Makes the strip beside a chain of border edges, in the first projection in which the chain does not cross itself.
   Apron apron_of(const BorderChain& chain, const std::vector<Frame>& frames) {
     for (const Frame& frame : frames) {
       Apron apron = make_apron(surface(), row_, chain, walls_, {frame, within_, rules_.bounds});
@@ -169,7 +169,7 @@ class Continuing {
     }
   }
 
-  /// A continued piece of border: one chain of edges, or all of the border in one block.
+  /// A piece of a surface's border that is continued: one chain of edges, or the whole border in one block.
   struct Run {
     double length, farthest;
     Vec3 place;

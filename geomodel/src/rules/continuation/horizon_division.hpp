@@ -49,7 +49,7 @@ class HorizonDivision {
   const BlockFramework& framework_;
   std::map<MapEdge, BorderState> states_;
   std::vector<Triangle> triangles_;
-  std::vector<std::pair<MapEdge, Index>> at_edge_;  ///< edges, each with one of its triangles, in ascending order
+  std::vector<std::pair<MapEdge, Index>> at_edge_;  ///< edges of the horizon, each with one triangle at it, ascending
   std::vector<bool> crosses_;
   std::vector<Index> block_;
 };

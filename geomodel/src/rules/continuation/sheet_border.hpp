@@ -30,11 +30,11 @@ class SheetBorder {
   bool faces_up() const { return faces_up_; }
 
   struct Place {
-    Vec3 at;            ///< the place, with the height extrapolated from the border
-    double distance;    ///< distance of the place from the horizon's border, in the map
-    Vec2 slope;         ///< slope of the horizon at the nearest border; zero if that is farther than `within`
+    Vec3 at;            ///< the place in the model, with the height extrapolated from the horizon's border
+    double distance;    ///< distance in m of the place from the horizon's border, in the map
+    Vec2 slope;         ///< slope of the horizon at the nearest border edge; zero if that is farther than `within`
     bool has_met_wall;  ///< whether the nearest border edge lies on or beyond a bounding surface
-    Vec3 inside;        ///< the centroid of the triangle at the nearest border
+    Vec3 inside;        ///< centroid of the horizon's triangle at the border edge nearest to the place
   };
   /// Returns the place at p to which the horizon is continued. O(log n + k) for the k edges in the map up to about
   /// twice the distance of the nearest one, or of `within`.
@@ -56,7 +56,7 @@ class SheetBorder {
   };
 
   void index_edges();
-  /// Returns the indices of the edges whose bounding boxes in the map meet the given box, ascending.
+  /// Returns the indices of the border edges whose bounding boxes in the map meet the given box, ascending.
   std::vector<Index> edges_between(const Vec2& low, const Vec2& high) const;
   Place continued_from(const std::vector<Index>& edges, const Vec2& p) const;
 
@@ -66,7 +66,7 @@ class SheetBorder {
   std::vector<std::pair<Index, Index>> constraints_;
   std::set<std::pair<Index, Index>> is_end_;
   std::vector<Edge> edges_;
-  std::optional<arrangement::BoxTree> tree_;  ///< tree of the edges' boxes in the map
+  std::optional<arrangement::BoxTree> tree_;  ///< search tree of the border edges' bounding boxes in the map
   std::vector<bool> has_met_wall_;            ///< whether all border edges at a point have met a bounding surface
   bool faces_up_ = true;
 };

@@ -23,7 +23,7 @@ constexpr double slope_radius = 0.05;  // radius for the mean slope near a borde
 /// The surface's border projected to a frame: distinct points and the edges between them.
 struct PlanarBorder {
   std::vector<BorderEdge> edges;
-  std::vector<VertexIndex> row;  ///< for each point in the plane: its index in the surface
+  std::vector<VertexIndex> row;  ///< for each border point in the plane: its index in the surface
   std::vector<Vec3> in_frame;    ///< parallel
   std::vector<std::pair<Index, Index>> constraints;
   std::vector<Vec2> planar() const {
@@ -148,7 +148,7 @@ Triangle oriented(Triangle t, bool up) {
   return t;
 }
 
-/// Groups connected triangles inside holes (of depth 2, 4, ...); returns each group with the length of its border.
+/// Groups triangles inside holes (2, 4, ... borders away from outside); returns each group with its border's length.
 std::vector<std::pair<std::vector<std::size_t>, double>> holes_of(const std::vector<PlanarTriangle>& triangles,
                                                                   const PlanarBorder& border) {
   std::map<std::pair<Index, Index>, std::vector<std::size_t>> at_edge;
@@ -286,7 +286,7 @@ void close_body(TriangulatedSurface& surface, const Box3& box, const BuildLog& l
         greatest[k] = std::max(greatest[k], p[k]);
       }
     }
-    // Finds the side of the box to which the loop as a whole is nearest, or beyond which it is farthest.
+    // Finds the side of the box to which the border loop as a whole is nearest, or beyond which it is farthest.
     std::size_t axis = 2;
     bool at_max = false;
     double gap = std::numeric_limits<double>::infinity();

@@ -13,8 +13,8 @@ namespace geomesh::geomodel {
 /// Largest slope that is extrapolated. Steeper slopes continue horizontally, lest the surface folds over.
 inline constexpr double steepest_slope = 3;
 
-/// Receives notes and warnings. Each rule appends points and triangles to the surface, without changing existing ones,
-/// and reports what it did or why it could not.
+/// Receives the notes and warnings of the rules that extend surfaces. A rule appends points and triangles to a surface,
+/// without changing existing ones, and reports what it did or why it could not.
 struct BuildLog {
   std::vector<std::string>& notes;
   std::vector<std::string>& warnings;
@@ -26,7 +26,7 @@ void fill_holes(TriangulatedSurface& surface, double longest_border, const Build
 
 /// Options for the points that an extension has in addition to those of the border.
 struct ContinuationPoints {
-  /// Number of the extension. Extensions over the same area with different numbers share no outer border edge.
+  /// Number that distinguishes extensions over the same area: with different numbers, they share no outer border edge.
   Index rim = 0;
   /// Whether points are placed on a grid beyond the surface's border; if not, straight lines bridge the area to the
   /// outer border.

@@ -41,7 +41,7 @@ BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rul
   const ArrangedWalls walls = arrange_walls(built, rules, {SurfaceKind::fault, SurfaceKind::body});
   WorkingSoup working(walls.soup);
   std::vector<double> area(walls.surfaces.size(), 0);
-  // Notes for the user are discarded here: the same ones are made when the model itself is cut at its faults.
+  // Notes on cut faults are discarded, because the user gets the same ones when the model's faults are cut.
   std::vector<std::string> notes;
   end_faults(working, walls.surfaces, built.rows, rules.continuation.within_of_faults, {area, notes});
   const PolygonSoup soup = working.result();

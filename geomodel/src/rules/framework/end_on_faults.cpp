@@ -22,7 +22,7 @@ std::vector<Index> without(std::vector<Index> rows, Index row) {
   return rows;
 }
 
-/// Returns a surface with only those facets that are left of it in the soup.
+/// Returns the surface with only those facets that were not removed from the soup.
 TriangulatedSurface left_of(const WorkingSoup& working, const TriangulatedSurface& surface, Index row) {
   TriangulatedSurface left = surface;
   left.points = working.soup.points;
@@ -97,7 +97,7 @@ EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules) {
         !overshoots_of(working, {s, without(faults, s), within, part_of(built.rows, s)}).empty())
       built.rows.overshooting.push_back(s);
   std::vector<double> area(alone.size(), 0);
-  // Notes for the user are discarded here: the same ones are made when the model itself is cut at its faults.
+  // Notes on cut faults are discarded, because the user gets the same ones when the model's faults are cut.
   std::vector<std::string> notes;
   end_faults(working, alone, built.rows, within, {area, notes});
   EndedFaults ended{built.surfaces, tips_of(working, faults)};

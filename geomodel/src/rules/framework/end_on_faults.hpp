@@ -26,7 +26,7 @@ void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& su
 
 /// The bounding surfaces of fault blocks, intersected with the sides of the model and without the parts outside it.
 struct ArrangedWalls {
-  /// The built surfaces, followed by the sides; surfaces that were not requested have no triangles.
+  /// The built surfaces, followed by the sides of the model; surfaces that were not requested have no triangles.
   std::vector<TriangulatedSurface> surfaces;
   PolygonSoup soup;
 };
@@ -34,7 +34,7 @@ struct ArrangedWalls {
 /// the sides of the model. Requires ContinuationRules::sides.
 ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules, const std::set<SurfaceKind>& kinds);
 
-/// Faults after cutting off what overshoots other faults, and the edges at which they end inside the model.
+/// Faults after the parts that overshoot other faults were cut off, and the edges at which faults end inside the model.
 struct EndedFaults {
   std::vector<TriangulatedSurface> surfaces;  ///< all surfaces; those of faults end where other faults truncate them
   std::vector<FaultTip> tips;

@@ -49,7 +49,7 @@ std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box
     const Vec3 &a = fault.points[border[e].a], &b = fault.points[border[e].b];
     const Vec3 middle = 0.5 * (a + b);
     const Vec3 way = frame.to_frame(b) - frame.to_frame(a);
-    // Skips edges at the lateral ends of the fault, and edges outside the model.
+    // Skips the fault's border edges at its lateral ends, and those outside the model.
     if (std::abs(way.x) <= std::abs(way.y) || !is_inside(box, middle)) continue;
     bool is_upper = true;
     for (Index k = 0; k < border.size() && is_upper; ++k) is_upper = k == e || !is_over(edges[k], seen(middle));

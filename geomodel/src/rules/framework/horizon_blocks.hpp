@@ -11,8 +11,8 @@ namespace geomesh::geomodel {
 struct HorizonBlocks {
   BlockFramework framework;
   Walls cutters;  ///< bodies, and faults cut where they end on each other
-  Walls walls;    ///< surfaces at which continuations of horizons end: cutters, horizons, model's sides
-  std::vector<Index> fill_blocks;  ///< indices of the horizons that fill each block in which they have data
+  Walls walls;    ///< surfaces at which continuations of horizons end: faults, bodies, horizons, model's sides
+  std::vector<Index> fill_blocks;  ///< indices of horizons continued through each block in which they have data
 };
 
 }  // namespace geomesh::geomodel

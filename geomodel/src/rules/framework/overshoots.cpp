@@ -52,7 +52,7 @@ bool something_ends_on(const WorkingSoup& working, const Piece& piece, Index s) 
   for_each_edge(working.uses, [&](std::span<const EdgeUse> edge) {
     if (found) return;
     bool mine = false, is_held = false;
-    std::map<Index, int> others;  // number of remaining facets of each other surface at the edge
+    std::map<Index, int> others;  // for each other surface: number of its remaining facets at the edge
     for (const EdgeUse& u : edge) {
       const bool of_piece = is_of(piece, u.facet);
       mine = mine || of_piece;

@@ -17,9 +17,9 @@ struct MeantEnd {
   Index surface;
   std::vector<Index> cutters;
   double limit;  ///< m
-  /// For each triangle, 0 if it is original, else the run of border that it continues; empty if nothing was continued.
+  /// For each surface triangle: 0 if original, else the run of border that it continues; empty if none was continued.
   std::span<const Index> part{};
-  /// The blocks, if the surface divides each block separately; null otherwise.
+  /// The fault blocks, if the surface divides each of them separately; null otherwise.
   const BlockFramework* blocks = nullptr;
 };
 

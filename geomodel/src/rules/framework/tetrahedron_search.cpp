@@ -17,11 +17,11 @@ namespace {
 constexpr std::array<std::array<std::size_t, 3>, 4> face_of{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 /// Largest number of planes of border faces that are tested. A box has six; with more, the search takes longer.
 constexpr std::size_t most_planes = 64;
-/// Bound on the rounding error of an offset, relative to the largest coordinate, for two sums of three products with a
-/// unit vector.
+/// Bound on the rounding error of a point's offset along a plane's normal, relative to the largest coordinate: two sums
+/// of three products with a unit vector.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Returns positive if p is on the same side of the face as the opposite corner.
+/// Returns positive if p lies on the same side of a tetrahedron's face as the corner opposite to that face.
 Sign side_of_face(const std::array<Vec3, 4>& t, std::size_t opposite, const Vec3& p) {
   const auto& [i, j, k] = face_of[opposite];
   return orient3d(t[i], t[j], t[k], p);

@@ -31,7 +31,7 @@ class TetrahedronSearch {
  private:
   struct Plane {
     Vec3 outward;
-    double offset;  ///< largest product of `outward` and a mesh point, enlarged by the bound on rounding
+    double offset;  ///< largest dot product of `outward` with a point of the mesh, plus a bound on rounding
   };
   void find_neighbours();
   void find_planes(const std::vector<std::array<Index, 2>>& border);
@@ -42,7 +42,7 @@ class TetrahedronSearch {
 
   std::vector<Vec3> points_;
   std::vector<Tetrahedron> tetrahedra_;
-  std::vector<std::array<Index, 4>> neighbour_;  ///< the neighbour opposite each corner; no_index at the border
+  std::vector<std::array<Index, 4>> neighbour_;  ///< each tetrahedron's neighbour opposite each corner, or no_index
   std::vector<Plane> planes_;
   std::unique_ptr<arrangement::BoxTree> tree_;
 };

@@ -56,7 +56,7 @@ void Walls::for_each_hit(const Vec3& a, const Vec3& b, F&& visit) const {
 
 namespace {
 
-/// Keeps the first hit on the segment; of several at one place, that on the surface with the lowest index.
+/// Keeps the surface that a segment meets first; of several at one place, the one with the lowest index.
 void keep_first(std::optional<Walls::Hit>& first, const Walls::Hit& hit) {
   if (!first || hit.share < first->share || (hit.share == first->share && hit.surface < first->surface)) first = hit;
 }

@@ -23,10 +23,10 @@ class Walls {
   struct Hit {
     Index surface = side_of_volume;  ///< index of the surface that the segment hits
     bool from_above = false;         ///< whether the segment begins on the side to which the triangle's normal points
-    double share = 0;                ///< fraction of the segment before the hit, from 0 to 1
+    double share = 0;                ///< fraction of the segment, from 0 to 1, at which it meets the surface
   };
 
-  /// `rows` are the indices of the surfaces that are bounding surfaces. `sides` are those of the model volume.
+  /// `rows` are the indices of the surfaces that are bounding surfaces. `sides` are the sides of the model volume.
   Walls(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& rows,
         const std::vector<TriangulatedSurface>& sides);
 

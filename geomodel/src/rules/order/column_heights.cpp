@@ -42,7 +42,7 @@ bool are_merged(MergedPairs merged, std::size_t above, std::size_t below) {
   return true;
 }
 
-/// Raises the i-th horizon that is present so that it lies on those older ones that keep their height.
+/// Raises the i-th horizon present at the place, so that it lies on those older ones that keep their height.
 void rise(std::span<double> heights, const Present& there, std::size_t i, MergedPairs merged, const Keepers& keepers,
           double gap) {
   const std::size_t own = there.row[i];
@@ -57,7 +57,7 @@ void rise(std::span<double> heights, const Present& there, std::size_t i, Merged
   }
 }
 
-/// Lowers older horizons, which are in order among themselves, below the i-th horizon that is present.
+/// Lowers older horizons, which are in order among themselves, below the i-th horizon present at the place.
 void sink_below(std::span<double> heights, const Present& there, std::size_t i, MergedPairs merged, double gap) {
   for (std::size_t j = i; j + 1 < there.n; ++j) {
     const std::size_t above = there.row[j], below = there.row[j + 1];

@@ -50,13 +50,13 @@ BorderLoops border_loops(const std::vector<BorderEdge>& edges) {
   for (std::size_t start = 0; start < edges.size(); ++start) {
     if (used[start]) continue;
     std::vector<VertexIndex> path;          // of the walk
-    std::map<VertexIndex, std::size_t> at;  // position of each vertex on the path
+    std::map<VertexIndex, std::size_t> at;  // position of each vertex on the path of the walk along border edges
     for (std::size_t e = start;;) {
       used[e] = true;
       at[edges[e].a] = path.size();
       path.push_back(edges[e].a);
       const VertexIndex next = edges[e].b;
-      // The walk closes a loop, which is removed from the path.
+      // The walk along border edges has closed a loop, which is removed from the path.
       if (const auto closed = at.find(next); closed != at.end()) {
         const std::size_t first = closed->second;
         result.loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(first), path.end());

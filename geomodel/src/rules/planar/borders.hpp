@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 /// An edge with only one triangle (points with equal coordinates are merged), in the direction of that triangle.
 struct BorderEdge {
-  VertexIndex a, b;  ///< ends of the edge: the first points with their coordinates
+  VertexIndex a, b;  ///< the edge's ends; of points with equal coordinates, the first in the surface
   Index triangle;
 };
 

@@ -16,8 +16,8 @@ namespace geomesh::geomodel {
 /// the piece may continue beyond the end of y and meet y again from the other side.
 class HeightVote {
  public:
-  /// Compares heights with the part of horizon y, and ignores places beyond the parts of faults, that were not yet
-  /// removed.
+  /// Compares a piece's height with those facets of horizon y that were not removed. Places from which a fault, as far
+  /// as it was not removed, separates y are ignored.
   HeightVote(const WorkingSoup& working, Index y, const std::vector<TriangulatedSurface>& surfaces);
   HeightVote(const HeightVote&) = delete;
   HeightVote& operator=(const HeightVote&) = delete;
@@ -28,7 +28,7 @@ class HeightVote {
   int side_of(const Piece& piece) const;
 
  private:
-  /// The remaining facets of some surfaces, with a locator in the map.
+  /// The facets of some surfaces that were not removed from the soup, with a locator in the map.
   class Left {
    public:
     Left(const WorkingSoup& working, const std::function<bool(Index facet)>& is_mine);
@@ -39,7 +39,7 @@ class HeightVote {
 
    private:
     TriangulatedSurface surface_;
-    std::optional<MapLocator> locator_;  ///< locator of the remaining facets; empty if there are none
+    std::optional<MapLocator> locator_;  ///< map locator of the facets that were not removed; empty if none is left
   };
   bool is_fault_between(const Vec3& p, double height) const;
 

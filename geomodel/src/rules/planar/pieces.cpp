@@ -56,7 +56,7 @@ int side_at_edge(const WorkingSoup& w, const EdgeUse& edge, const std::vector<In
     return static_cast<int>(runs_upward(w, of_y[0], y, sides, a, b) ? s : -s);
   }
   if (of_y.size() != 2) return 0;
-  Index from = of_y[0], to = of_y[1];  // the upper wedge extends counter-clockwise about a -> b from `from` to `to`
+  Index from = of_y[0], to = of_y[1];  // the space above surface y is counter-clockwise about ab from `from` to `to`
   if (!runs_upward(w, from, y, sides, a, b)) std::swap(from, to);
   if (!runs_upward(w, from, y, sides, a, b) || runs_upward(w, to, y, sides, a, b)) return 0;
   const VertexIndex c1 = apex_of(w.soup.facets[from], a, b), c2 = apex_of(w.soup.facets[to], a, b);

@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 /// A soup that is being trimmed: facets lose origins (input triangles), and those without origins are removed.
 struct WorkingSoup {
   const PolygonSoup& soup;
-  std::vector<EdgeUse> uses;                              ///< edge uses of all facets, sorted
+  std::vector<EdgeUse> uses;                              ///< edges of all facets, each with a facet at it, sorted
   std::vector<std::vector<PolygonSoup::Origin>> origins;  ///< remaining origins (input triangles) of each facet
 
   explicit WorkingSoup(const PolygonSoup& s);
@@ -29,7 +29,7 @@ struct WorkingSoup {
   double remove(const std::vector<Index>& facets, Index surface);
   /// Removes the origins (input triangles) for which `goes` returns true from the facets; returns their total area.
   double remove(const std::vector<Index>& facets, const std::function<bool(const PolygonSoup::Origin&)>& goes);
-  /// Returns the remaining soup, without unused points.
+  /// Returns the triangle soup that is left after trimming, without unused points.
   PolygonSoup result() const;
 };
 
@@ -39,13 +39,13 @@ struct WorkingSoup {
 enum class BeyondEnd : std::uint8_t { has_a_side, has_none };
 
 struct Piece {
-  std::vector<Index> facets;  ///< facets of the piece, ascending; they may also belong to other surfaces
+  std::vector<Index> facets;  ///< facets of this piece of a surface, ascending; they may also belong to other surfaces
   double area = 0;
   Index largest = no_index;  ///< facet
-  /// Length of edges at which the piece meets the cutting surface from above and from below.
+  /// Lengths of the edges at which this piece of a surface meets the surface that cuts it: from above, and from below.
   double above = 0, below = 0;
-  double free_border = 0;  ///< length of the piece's edges at which no other facet of any surface lies
-  double contact = 0;      ///< length of the piece's edges that lie on cutting surfaces
+  double free_border = 0;  ///< length of this surface piece's edges at which no other facet of any surface lies
+  double contact = 0;      ///< length of this surface piece's edges that lie on cutting surfaces
 };
 
 /// Returns pieces of surface `x`: its facets joined across edges at which no facet of a surface in `cutters` lies.
@@ -55,13 +55,13 @@ struct Piece {
 std::vector<Piece> pieces_of(const WorkingSoup& working, Index x, const std::vector<Index>& cutters,
                              const UpwardSides* sides, BeyondEnd beyond = BeyondEnd::has_a_side,
                              const std::vector<Index>& dividers = {});
-/// Returns pieces of the facets for which `is_mine` returns true, joined across edges at which no cutter lies.
+/// Returns pieces of the facets that `is_mine` accepts, joined across edges at which no surface in `cutters` lies.
 std::vector<Piece> pieces_of(const WorkingSoup& working, const std::function<bool(Index)>& is_mine,
                              const std::vector<Index>& cutters, const UpwardSides* sides,
                              BeyondEnd beyond = BeyondEnd::has_a_side, const std::vector<Index>& dividers = {});
 
-/// Returns the side of a piece relative to surface y: 1 above, -1 below, 0 unknown. The edges where they meet decide,
-/// otherwise the vertical through the piece's largest facet.
+/// Returns the side of surface y on which a piece of another surface lies: 1 above, -1 below, 0 unknown. The edges at
+/// which both meet decide, otherwise the vertical through the piece's largest facet.
 int side_of(const WorkingSoup& working, const Piece& piece, Index y, const UpwardSides& sides);
 
 }  // namespace geomesh::geomodel

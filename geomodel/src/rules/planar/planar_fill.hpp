@@ -13,8 +13,8 @@
 namespace geomesh::geomodel {
 
 struct PlanarTriangle {
-  std::array<Index, 3> vertices;  ///< indices of the points, counter-clockwise
-  int depth;  ///< constraints crossed from outside: 0 outside all loops, 1 inside a loop, 2 in a hole ...
+  std::array<Index, 3> vertices;  ///< indices of the triangle's corners, counter-clockwise
+  int depth;  ///< least number of constraints between the triangle and the outside: 1 inside a loop, 2 in a hole
 };
 
 /// Triangulates points with constraints. Returns all triangles of the points' convex hull; their order depends on the

@@ -13,8 +13,8 @@ namespace geomesh::geomodel {
 
 struct LinedTriangulation {
   std::vector<Vec2> points;  ///< the input points, those of the lines, and the (rounded) points where lines cross
-  std::vector<Triangle> triangles;  ///< counter-clockwise triangles of the convex hull
-  /// For each triangle, bit i is set if the side opposite vertex i is part of a line.
+  std::vector<Triangle> triangles;  ///< counter-clockwise triangles of the points' convex hull
+  /// For each triangle, bit i is set if the side opposite vertex i is part of a constraint line.
   std::vector<std::uint8_t> lined_sides;
 };
 

@@ -16,10 +16,10 @@ double area_of(const TriangulatedSurface& surface, Index triangle);
 /// large triangles. A surface has at least about 500 parts; a triangle smaller than a part is not divided.
 class AreaSamples {
  public:
-  /// Precondition: the surface outlives this object. O(triangles).
+  /// Precondition: the sampled surface outlives the AreaSamples. O(triangles).
   explicit AreaSamples(const TriangulatedSurface& surface);
 
-  /// Calls visit(place, area) for each part of a triangle.
+  /// Divides a triangle into equal parts, and calls visit(place, area) for each.
   template <class F>
   void for_each(Index triangle, F&& visit) const {
     const Triangle& v = surface_.triangles[triangle];
@@ -41,7 +41,7 @@ class AreaSamples {
   }
 
   const TriangulatedSurface& surface_;
-  double largest_ = 0;  ///< largest area of a part of a triangle; infinite if the surface has no area
+  double largest_ = 0;  ///< largest area of the parts of divided triangles; infinite if the surface has no area
 };
 
 }  // namespace geomesh::geomodel

@@ -8,7 +8,7 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double fit_radius = 3;    // in edges
-constexpr double along_counts = 2;  // factor on distances along the strike of a fault
+constexpr double along_counts = 2;  // weight of distances along a fault's strike, relative to those across it
 constexpr std::size_t fewest_to_fit = 6;
 
 /// Measures distances in the map from a place, with a larger weight for distances along the strike of a fault.

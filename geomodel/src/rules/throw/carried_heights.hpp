@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 /// squares; Levin, The approximation power of moving least-squares, Math. Comp. 67, 1998).
 class CarriedHeights {
  public:
-  /// `edge` is the median edge length of the horizon in the map. The surface must outlive this object and may get more
+  /// `edge` is the median edge length of the horizon in the map. The horizon must outlive this object and may get more
   /// points.
   CarriedHeights(const TriangulatedSurface& surface, double edge);
   void add(VertexIndex node);

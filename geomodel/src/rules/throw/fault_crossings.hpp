@@ -10,10 +10,10 @@
 
 namespace geomesh::geomodel {
 
-/// A box that contains everything.
+/// A box without limits, which contains every point.
 inline constexpr Box3 everywhere{Box3{}.max, Box3{}.min};
 
-/// A fault across which a horizon has throw, and the index of the first triangle of its extension (its end if none).
+/// A fault across which a horizon has throw; its triangles from index `first_made` on extend it beyond its ends.
 struct ThrowFault {
   const TriangulatedSurface* surface;
   Index first_made;

@@ -17,10 +17,10 @@ namespace geomesh::geomodel {
 /// Position of a place relative to a fault.
 struct Beside {
   double distance;
-  double across;   ///< horizontal distance at the height of the place, positive above the fault
+  double across;   ///< horizontal distance of the place from the fault at the same height, positive above the fault
   double along;    ///< the strike
   Vec2 direction;  ///< of `across`
-  bool is_within;  ///< whether the place is not beyond the fault's end
+  bool is_within;  ///< whether the place lies beside the fault, not beyond its end
 };
 
 /// Triangles of a fault with normals to one side, their bounding boxes, and the mean strike. A query visits about as
@@ -39,7 +39,7 @@ class FaultFaces {
     Vec3 normal;
     Box3 bounds;
     bool is_further(const Vec3& p, double reach) const;
-    /// Returns the distance of p, and whether p projects onto the triangle, or nearly so at a bend between two
+    /// Returns the distance of p from the triangle, and whether p projects onto it, or nearly so at a bend between two
     /// triangles.
     std::pair<double, bool> distance(const Vec3& p) const;
   };
@@ -49,7 +49,7 @@ class FaultFaces {
   std::vector<Index> faces_within(const Vec3& p, double reach) const;
 
   std::vector<Face> faces_;
-  std::vector<Index> steep_;  ///< indices of the triangles that are not horizontal
+  std::vector<Index> steep_;  ///< indices of the fault's triangles that are not horizontal
   NearestPoint steep_centres_;
   arrangement::BoxTree tree_;
   Box3 bounds_;

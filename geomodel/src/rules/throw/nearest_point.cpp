@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t few = 8;  // number of points of a leaf, which is searched linearly
+constexpr std::size_t few = 8;  // number of points of a leaf of the tree, which is searched linearly
 
 }  // namespace
 

@@ -31,7 +31,7 @@ class NearestPoint {
   std::vector<Vec3> points_;
   Box3 bounds_;
   std::vector<Index> rows_;         ///< halved in place
-  std::vector<std::uint8_t> axis_;  ///< axis along which each part was halved, stored at the part's middle
+  std::vector<std::uint8_t> axis_;  ///< axis along which each range of points was halved, at the index of its middle
 };
 
 }  // namespace geomesh::geomodel

@@ -12,11 +12,11 @@ namespace {
 
 // Least fraction of a connected part's area on each side of a fault for the part to continue across it.
 constexpr double least_of_sides = 0.1;
-// Least fraction of a connected part's area on each side if another part lies on the smaller side.
+// Least fraction of a connected part on each side of a fault that it crosses, if another part lies on the smaller side.
 constexpr double least_beside_another = 0.25;
-// Least fraction of a connected part's area on each side if other faults separate the parts on the two sides.
+// Least fraction of a connected part on each side of a fault that it crosses, if other faults separate these sides.
 constexpr double least_of_corner = 0.02;
-// Area of the smallest connected part that counts, as a fraction of the horizon's area.
+// Area below which a connected part of a horizon is ignored, as a fraction of the horizon's area.
 constexpr double least_sheet = 0.005;
 
 std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
@@ -25,7 +25,7 @@ std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
   return centres;
 }
 
-/// Returns planes through the centres of the triangles, with normals to one side.
+/// Returns planes through the centres of a surface's triangles, with normals to the same side.
 std::vector<SidedPlane> planes_of(const TriangulatedSurface& s) {
   const UpwardSides up = orient_upward(s);
   std::vector<SidedPlane> planes;
@@ -111,7 +111,7 @@ bool SheetSides::runs_across(std::size_t fault) const {
 }
 
 bool SheetSides::parts_alone(std::size_t fault, const std::vector<bool>& counts) const {
-  // For each combination of sides of the other faults: whether connected parts lie below and above `fault`.
+  // For each combination of sides of the other faults: whether parts of the horizon lie below and above `fault`.
   std::map<std::vector<bool>, std::pair<bool, bool>> found;
   for (const auto& entry : sheets_) {
     const Sheet& sheet = entry.second;
@@ -157,7 +157,7 @@ std::vector<bool> SheetSides::run_across() const {
   std::vector<bool> counts(n_faults_);
   for (std::size_t f = 0; f < n_faults_; ++f) counts[f] = !runs_across(f);
   const auto corner = [this](std::size_t f) { return largest_corner(f); };
-  for (;;) {  // one fault is removed at a time, because the others may then be needed to separate the sheets
+  for (;;) {  // faults are dropped one at a time, because the others may then be needed to separate the horizon's parts
     const std::size_t next = least_needed(counts, least_of_corner, corner);
     if (next == n_faults_) break;
     counts[next] = false;

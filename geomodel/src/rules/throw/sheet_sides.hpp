@@ -39,11 +39,11 @@ std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pai
 class FaultSides {
  public:
   explicit FaultSides(const TriangulatedSurface& fault);
-  /// Returns whether p is above the plane of the triangle whose centre is nearest.
+  /// Returns whether p is above the plane of that triangle of the fault whose centre is nearest to p.
   bool is_above(const Vec3& p) const;
 
  private:
-  std::vector<SidedPlane> planes_;  ///< planes through the centres of the triangles, in their order
+  std::vector<SidedPlane> planes_;  ///< planes through the centres of the fault's triangles, in their order
   NearestPoint nearest_;
   SideBounds bounds_;
 };
@@ -62,9 +62,9 @@ class SheetSides {
   /// sides: the fault then cuts off a corner.
   std::vector<bool> run_across() const;
 
-  /// For each fault, returns whether it belongs to a smallest set of faults that separates the sheets. If two faults
-  /// separate the same sheets, the one with the smaller area on the wrong side is chosen. A fault across which a sheet
-  /// continues separates none. Sheets smaller than a two-hundredth of the horizon's area are ignored.
+  /// For each fault, returns whether it belongs to a smallest set of faults that separates the sheets (connected
+  /// parts). If two faults separate the same sheets, the one with less of their area on its wrong side is chosen. A
+  /// fault across which a sheet continues separates none. Sheets below 0.5 % of the horizon's area are ignored.
   std::vector<bool> parting() const;
 
  private:
@@ -85,23 +85,23 @@ class SheetSides {
     bool is_above(std::size_t fault) const { return 2 * above[fault] > area; }
     double smaller(std::size_t fault) const { return std::min(above[fault], area - above[fault]); }
   };
-  /// Area of the sheet's smaller part beside a fault, excluding what has another sheet above or below it; and whether
-  /// another sheet lies on the same sides as that part.
+  /// Area of a sheet's (connected part's) smaller part beside a fault, excluding what has another sheet above or below
+  /// it; and whether another sheet lies on the same sides of all faults as that part.
   struct SmallerPart {
     double alone;
     bool has_another;
   };
   SmallerPart smaller_part(Index sheet, std::size_t fault) const;
   bool runs_across(std::size_t fault) const;
-  /// Returns whether two sheets lie on different sides of the fault, and on the same sides of all other counted faults.
+  /// Returns whether the fault separates two connected parts that lie on the same sides of all other counted faults.
   bool parts_alone(std::size_t fault, const std::vector<bool>& counts) const;
   bool parts_any(std::size_t fault) const;
-  /// Returns the largest smaller part beside the fault, as a share of its sheet and without what has another sheet
-  /// above or below it.
+  /// Returns the largest part of a sheet (connected part) on the smaller of its two sides of the fault, as a share of
+  /// its sheet and without what has another sheet above or below it.
   double largest_corner(std::size_t fault) const;
-  double on_wrong_side(std::size_t fault) const;  ///< total area of all sheets' smaller parts beside the fault
-  /// Among the faults that count, returns the one with the greatest measure that separates sheets which the other
-  /// faults separate as well; n_faults_ if no measure exceeds `least`.
+  double on_wrong_side(std::size_t fault) const;  ///< total over connected parts of the smaller area beside the fault
+  /// Among the counted faults, returns the one with the greatest measure (`much`) that separates only sheets (connected
+  /// parts) which other counted faults separate as well; n_faults_ if no measure exceeds `least`.
   template <class F>
   std::size_t least_needed(const std::vector<bool>& counts, double least, F&& much) const;
 
@@ -113,7 +113,7 @@ class SheetSides {
   double area_ = 0;
 };
 
-/// Returns SheetSides::parting(), without computing sides if the horizon is one connected sheet.
+/// Returns SheetSides::parting(): whether each fault is needed to separate the horizon's connected parts.
 std::vector<bool> parting_of(const TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults);
 
 }  // namespace geomesh::geomodel

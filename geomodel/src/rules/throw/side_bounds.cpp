@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t few = 8;  // number of planes per leaf, which is not divided further
+constexpr std::size_t few = 8;  // number of planes per leaf of the tree, which is not divided further
 
 }  // namespace
 

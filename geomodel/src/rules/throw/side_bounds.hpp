@@ -24,20 +24,20 @@ enum class SideOfAll : std::uint8_t { above, below, not_known };
 class SideBounds {
  public:
   explicit SideBounds(std::vector<SidedPlane> planes);
-  /// Returns above or below only if that is true for each plane by a margin much larger than rounding.
+  /// Returns that p is above (or below) all planes only if it is so by a margin much larger than rounding.
   SideOfAll side(const Vec3& p) const;
 
  private:
   struct Node {
     Box3 normals;                      ///< of length one
-    double least_offset, most_offset;  ///< least and greatest offset of the planes from the centre, along their normals
-    std::size_t right;  ///< node of the second half of the planes, 0 if there is none; the first half is the next node
+    double least_offset, most_offset;  ///< least and greatest offset of planes from one centre, along their normals
+    std::size_t right;  ///< child node with the second half of the planes, 0 if none; the next node has the first half
   };
   std::size_t build(std::vector<SidedPlane>& planes, std::size_t begin, std::size_t end);
   SideOfAll side(std::size_t node, const Vec3& from_centre, double tiny) const;
 
-  Vec3 centre_{};      ///< centre of the bounding box of the points
-  double extent_ = 0;  ///< diagonal of the bounding box of the points
+  Vec3 centre_{};      ///< centre of the bounding box of the planes' points
+  double extent_ = 0;  ///< diagonal of the bounding box of the planes' points
   std::vector<Node> nodes_;
 };
 

@@ -23,11 +23,11 @@ constexpr double ring_width = 8;
 // too few triangles lie in a zone because other faults are near.
 constexpr std::array<long, 3> rings{8, 5, 3};
 constexpr std::size_t fewest_in_ring = 6;
-// A ramp is steeper than its surroundings by at least this many standard deviations of the slopes beside it.
+// A ramp (throw smeared by gridding) is steeper than the slopes beside it by at least this many standard deviations.
 constexpr double sure_of_spread = 3;
-// A ramp is steeper than its surroundings by at least this many times the difference between the two sides' slopes.
+// A ramp across a fault is steeper than its surroundings by at least this multiple of the sides' difference in slope.
 constexpr double sure_of_difference = 2;
-constexpr double least_slope = 0.02;  // slope by which a ramp is at least steeper than its surroundings
+constexpr double least_slope = 0.02;  // slope by which a ramp across a fault is at least steeper than its surroundings
 constexpr double ramp_ends_at = 0.1;  // fraction of the ramp's greatest slope at which the ramp ends
 constexpr double share_of_stretches = 0.25;
 
@@ -36,10 +36,10 @@ struct SlopeBeside {
   double across, slope;
 };
 
-/// The ramp in one segment along the fault; nothing if the slope beside it is not known on both sides.
+/// The ramp of a horizon in a segment of the fault; nothing if the horizon's slope is not known on both sides of it.
 struct StretchRamp {
   bool is_ramp = false;
-  double step = 0;  ///< height of the ramp, in median edge lengths
+  double step = 0;  ///< height of the ramp across the fault, in the horizon's median edge lengths
   RampWidth width;
 };
 std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, long ring_from) {

@@ -15,21 +15,21 @@ namespace geomesh::geomodel {
 /// map.
 inline constexpr double furthest_beside = 16;
 
-/// Width of a ramp on the two sides of the fault, in edge lengths.
+/// Width, in edge lengths, of a ramp (steep zone where a gridded horizon crosses a fault) on both sides of the fault.
 struct RampWidth {
   double below = 0, above = 0;
 };
 
-/// The ramp along a fault, by segments along its strike.
+/// The ramp by which a gridded horizon crosses a fault, by segments along the fault's strike.
 struct Ramp {
   std::map<long, RampWidth> at;
-  std::vector<double> steps;  ///< heights of the ramp in m, for the segments that have one
+  std::vector<double> steps;  ///< heights of the ramp in m, for those segments of the fault that have a ramp
   std::size_t n_stretches = 0;
-  double length = 0;  ///< total length of the segments that have a ramp
+  double length = 0;  ///< total length of the fault's segments that have a ramp
 
-  /// Returns whether at least a quarter of the segments have a ramp.
+  /// Returns whether at least a quarter of the fault's segments have a ramp.
   bool is_there() const;
-  /// Returns the ramp's width in this segment and its neighbours, or in the nearest with a ramp; requires is_there().
+  /// Returns the ramp's width around a segment of the fault, or in the nearest one with a ramp; requires is_there().
   RampWidth width(long stretch) const;
 };
 

@@ -52,7 +52,7 @@ Vec3 centre_that_divides(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3
 
 void divide_tetrahedra(ConstrainedTetrahedralization& mesh, const std::vector<std::size_t>& rows) {
   if (rows.empty()) return;
-  // The tetrahedron and its four parts, by the row of the divided tetrahedron.
+  // Each divided tetrahedron and its four parts, by the row of the divided tetrahedron.
   std::map<Index, std::pair<Tetrahedron, Parts>> divided;
   for (const std::size_t row : rows) {
     const Tetrahedron whole = mesh.tetrahedra[row];

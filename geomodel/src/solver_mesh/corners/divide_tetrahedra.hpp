@@ -10,10 +10,10 @@
 
 namespace geomesh::geomodel {
 
-/// Divides the tetrahedra in these rows into four around their centres. Row i keeps one of the four, and the others are
-/// appended. Components, faces and the tetrahedra on both sides of faces are updated; the centres are added as inner
-/// points. Throws Error{cannot_mesh} with the place if a tetrahedron is too flat for a centre in doubles. O(tetrahedra)
-/// if there is anything to divide.
+/// Divides the tetrahedra in `rows` into four around their centres. Row i keeps one of the four, and the others are
+/// appended. Mesh components, faces and the tetrahedra on both sides of faces are updated; the centres are added as
+/// inner points. Throws Error{cannot_mesh} with the place if a tetrahedron is too flat for a centre in doubles.
+/// O(tetrahedra) if there is anything to divide.
 void divide_tetrahedra(ConstrainedTetrahedralization& mesh, const std::vector<std::size_t>& rows);
 
 /// Returns the centre of a tetrahedron. Throws Error{cannot_mesh} with the place if one of the four parts around it, in

@@ -10,7 +10,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns for each point whether it is a corner of an inner face on the surface.
+/// Returns for each point of the mesh whether it is a corner of a face on this surface with tetrahedra on both sides.
 std::vector<bool> points_on(const ModelMesh& mesh, std::int32_t surface) {
   std::vector<bool> is_on(mesh.points.size(), false);
   for (const auto& face : mesh.faces) {

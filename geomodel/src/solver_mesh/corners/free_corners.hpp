@@ -19,7 +19,7 @@ namespace geomesh::geomodel {
 /// doubles. O(tetrahedra).
 ModelMesh with_free_corners(const ModelMesh& mesh, const std::vector<std::string>& surfaces);
 
-/// Returns the rows of tetrahedra with all four corners on inner faces of one of these surfaces, ascending.
+/// Returns the rows, ascending, of tetrahedra with all four corners on faces inside the mesh on one of these surfaces.
 std::vector<std::size_t> tetrahedra_on_surfaces(const ModelMesh& mesh, const std::vector<std::string>& surfaces);
 
 }  // namespace geomesh::geomodel

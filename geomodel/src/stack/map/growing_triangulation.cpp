@@ -107,7 +107,7 @@ Index GrowingTriangulation::locate(const Vec2& p, Index hint) const {
 void GrowingTriangulation::star(VertexIndex v, std::vector<Index>& cells) const {
   cells.clear();
   const Index start = cell_of_vertex_[v];
-  // Cells are visited in one direction around the vertex; if that ends at the rim, in the other direction too.
+  // Cells are visited in one direction around the vertex; if that ends at the triangulation's rim, in the other, too.
   for (const std::size_t turn : {1U, 2U}) {
     Index at = start;
     while (at != no_index) {
@@ -183,8 +183,8 @@ void GrowingTriangulation::halve(Index cell, std::size_t side, Change& change) {
   const Vec2 a = points_[va], b = points_[vb];
   const Vec2 m{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
   if (m == a || m == b) return;
-  // The two cells at the segment are removed. Rounding may put the segment's midpoint beside it, but the midpoint must
-  // still see all sides of the hole.
+  // Splitting a segment removes both cells beside it. Rounding may put its midpoint beside the segment, but the
+  // midpoint must still see all sides of the hole that the cells leave.
   const Index other = cells_[cell].neighbours[side];
   grow_cavity(m, cell, change);
   if (other != no_index && !is_in(other)) {
@@ -208,7 +208,7 @@ void GrowingTriangulation::halve(Index cell, std::size_t side, Change& change) {
       const VertexIndex p = in.vertices[(i + 1) % 3], q = in.vertices[(i + 2) % 3];
       const bool is_piece = (p == va && q == vb) || (p == vb && q == va);
       if (is_piece || (in.neighbours[i] != no_index && is_in(in.neighbours[i]) && !in.lined[i])) continue;
-      // The hole is too narrow for doubles, so the segment is not split.
+      // The hole left by the removed cells is too narrow for doubles, so the constraint segment is not split.
       if (orient2d(points_[p], points_[q], m) != Sign::positive) return;
     }
   fill(m, std::array{va, vb}, change);
@@ -253,7 +253,7 @@ void GrowingTriangulation::fill(const Vec2& p, std::span<const VertexIndex> halv
     const CavityEdge& s = sides[k];
     const Index row = change.made[k];
     if (s.beyond != no_index) {
-      // The neighbouring cell still refers to a removed cell, so its side is found by the vertices.
+      // The cell beyond the cavity's border still refers to a removed cell, so its side is found by the vertices.
       Cell& beyond = cells_[s.beyond];
       for (std::size_t i = 0; i < 3; ++i)
         if (beyond.vertices[(i + 1) % 3] == s.b && beyond.vertices[(i + 2) % 3] == s.a) beyond.neighbours[i] = row;

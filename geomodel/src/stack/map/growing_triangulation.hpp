@@ -19,7 +19,7 @@ class GrowingTriangulation {
   struct Cell {
     Triangle vertices;
     std::array<Index, 3> neighbours;  ///< neighbouring cell across each side, no_index beyond the rim
-    std::array<bool, 3> lined;        ///< whether each side is part of a constraint line or of the rim
+    std::array<bool, 3> lined;        ///< whether each side of the cell is part of a constraint line or of the rim
     Index zone;  ///< number of the cell's zone; new cells inherit it from the cells that they replace
   };
   /// Numbers the zones from 0: maximal sets of cells connected across sides that are not on constraint lines.
@@ -29,7 +29,7 @@ class GrowingTriangulation {
   const std::vector<Cell>& cells() const { return cells_; }
   std::size_t n_zones() const { return n_zones_; }
 
-  /// Returns the cell that contains p, found by a walk from `hint`; no_index outside the rim.
+  /// Returns the triangulation's cell that contains p, found by a walk from `hint`; no_index outside its rim.
   Index locate(const Vec2& p, Index hint) const;
   /// Walks the straight line from p, in cell `at`, to q and calls f(cell, first vertex, second vertex of the crossed
   /// side, fraction of the line) for each cell that it leaves.
@@ -38,10 +38,10 @@ class GrowingTriangulation {
   /// Sets `cells` to the cells around a vertex, in no particular order.
   void star(VertexIndex v, std::vector<Index>& cells) const;
 
-  /// The changes to the cells that one insertion caused.
+  /// The changes to the triangulation's cells by the insertion of one point.
   struct Change {
     VertexIndex vertex = no_vertex;  ///< the inserted vertex; no_vertex if nothing was inserted
-    std::vector<Index> emptied;      ///< indices of removed cells; new cells reuse them first
+    std::vector<Index> emptied;      ///< indices of the triangulation's removed cells; new cells reuse them
     std::vector<Index> made;
   };
   /// Inserts p inside cell `at`, or on a side of it. If p lies in the diametral circle of a constraint segment longer
@@ -77,7 +77,7 @@ void GrowingTriangulation::walk(const Vec2& p, Index at, const Vec2& q, F&& f) c
     const Cell& cell = cells_[at];
     double nearest = 2;
     std::size_t side = 3;
-    for (std::size_t i = 0; i < 3; ++i) {  // finds, among the sides that q is beyond, the first one on the line to q
+    for (std::size_t i = 0; i < 3; ++i) {  // finds the side through which the line from p to q leaves the cell
       const Vec2 &a = points_[cell.vertices[(i + 1) % 3]], &b = points_[cell.vertices[(i + 2) % 3]];
       const double to_p = turn(a, b, p), to_q = turn(a, b, q);
       if (!(to_q < 0)) continue;

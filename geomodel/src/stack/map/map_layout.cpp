@@ -13,7 +13,7 @@ namespace {
 // Distance around constraint lines that is kept free of lattice points, as a fraction of the lattice spacing.
 constexpr double room_about_lines = 0.4;
 constexpr double room_on_rim = 0.3;
-constexpr double shortest_edge = 0.08;  // shortest edge, as a fraction of the lattice spacing
+constexpr double shortest_edge = 0.08;  // length below which edges are collapsed, as a fraction of the lattice spacing
 
 /// Returns the part of the segment p q within the bounds; ends that are clipped lie exactly on the bounds.
 std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b) {
@@ -33,7 +33,7 @@ std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b)
 std::vector<std::vector<Vec2>> cut_off(const std::vector<std::vector<Vec2>>& lines, const MapBounds& bounds) {
   std::vector<std::vector<Vec2>> kept;
   for (const std::vector<Vec2>& line : lines) {
-    bool joins = false;  // whether the next segment begins at the end of the last one that was kept
+    bool joins = false;  // whether the next segment of the line continues the last kept one
     for (std::size_t i = 1; i < line.size(); ++i) {
       const auto piece = cut_off(line[i - 1], line[i], bounds);
       if (!piece) {
@@ -150,7 +150,7 @@ std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBound
   return row;
 }
 
-/// Merges points that constraint lines put closer than `least`, and triangulates again until there are none.
+/// Merges points closer than `least` because of constraint lines, and triangulates again until no such points are left.
 LinedTriangulation without_short_edges(LinedTriangulation t, const MapBounds& bounds, double least) {
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {

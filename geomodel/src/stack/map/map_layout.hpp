@@ -12,8 +12,8 @@ namespace geomesh::geomodel {
 
 struct MapLayout {
   MapBounds bounds;                      ///< the rim of the triangulation lies exactly on these bounds
-  double lattice = 1;                    ///< spacing of the lattice points
-  std::vector<std::vector<Vec2>> lines;  ///< constraint lines, clipped at the rim
+  double lattice = 1;                    ///< spacing of the triangular lattice of points inside the bounds
+  std::vector<std::vector<Vec2>> lines;  ///< constraint lines of the triangulation, clipped at its rim
   double joined_within = 0;              ///< constraint lines that are at most this far apart are merged
   /// Whether constraint lines are kept exactly; if not, points that they put very close together are merged.
   bool keeps_lines = false;

@@ -40,7 +40,7 @@ double MapRaster::between(Vec2 p) const {
 
 namespace {
 
-/// Calls f with each cell that shares a side with `cell`.
+/// Calls f with each cell of the raster that shares a side with `cell`.
 template <class F>
 void for_neighbours(const MapRaster& r, std::size_t cell, F&& f) {
   const std::size_t i = cell % r.n_columns, j = cell / r.n_columns;
@@ -205,7 +205,7 @@ struct Division {
   double share;
 };
 
-/// Moves the points of the divided curve so that it has the same area on each side as the original curve.
+/// Moves the points of a curve made of longer pieces, so that the areas on its sides equal those of the original curve.
 void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, const std::vector<Vec2>& curve,
                double length) {
   const std::size_t n = divided.size() - 1;  // pieces
@@ -216,7 +216,7 @@ void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, co
     std::vector<Vec2> chain{divided[k + 1], divided[k], of(from[k])};
     for (std::size_t i = from[k].at; i < from[k + 1].at; ++i) chain.push_back(curve[i]);
     chain.push_back(of(from[k + 1]));
-    // Twice the area between curve and piece, positive if the curve runs on the left of the piece.
+    // Twice the area between a segment and the curve it replaces, positive if the curve is on the segment's left.
     twice[k] = -twice_area(chain);
     lengths[k] = std::hypot(divided[k + 1].x - divided[k].x, divided[k + 1].y - divided[k].y);
   }

@@ -12,12 +12,12 @@ namespace geomesh::geomodel {
 /// Largest number of cells of a raster. More would take seconds and resolve features smaller than the elements.
 inline constexpr double most_cells = 1e6;
 
-/// Values at the centres of square cells; NaN means no value.
+/// A raster of the map: values at the centres of square cells; NaN means no value.
 struct MapRaster {
-  Vec2 origin;  ///< centre of the first cell
+  Vec2 origin;  ///< centre of the raster's first cell
   double step = 1;
   std::size_t n_columns = 0, n_rows = 0;
-  std::vector<double> values;  ///< values row by row from the south
+  std::vector<double> values;  ///< values of the cells, row by row from the south
 
   MapRaster() = default;
   MapRaster(const MapBounds& bounds, double cell);
@@ -27,9 +27,9 @@ struct MapRaster {
   }
   double& at(std::size_t column, std::size_t row) { return values[row * n_columns + column]; }
   double at(std::size_t column, std::size_t row) const { return values[row * n_columns + column]; }
-  /// Returns the cell that contains p or is nearest to it.
+  /// Returns the raster cell that contains p or is nearest to it.
   std::size_t cell_of(Vec2 p) const;
-  /// Interpolates bilinearly between the centres of cells; beyond the rim the value of the nearest cell is used.
+  /// Interpolates the raster bilinearly between cell centres; beyond the rim, the value of the nearest cell is used.
   double between(Vec2 p) const;
 };
 
@@ -39,11 +39,11 @@ void fill_from_neighbours(MapRaster& raster);
 /// Smooths the raster `passes` times by the binomial mean over three cells in each direction. All cells need values.
 void smooth(MapRaster& raster, int passes);
 
-/// Groups of cells, connected across sides, whose values are all negative (if `below` is set), or all not negative.
+/// Groups of raster cells, connected across sides, whose values are all negative (if `below`), or all not negative.
 struct CellGroups {
-  std::vector<Index> group;  ///< group of each cell; no_index for cells with the other sign
+  std::vector<Index> group;  ///< group of each raster cell; no_index for cells whose values have the other sign
   std::vector<std::size_t> n_cells;
-  std::vector<double> least, greatest;  ///< smallest and largest value of each group
+  std::vector<double> least, greatest;  ///< smallest and largest value of the cells of each group
 };
 CellGroups groups_of(const MapRaster& raster, bool below);
 
@@ -55,7 +55,7 @@ std::vector<std::vector<Vec2>> zero_curves(const MapRaster& raster);
 /// point would have to move farther than a quarter of a piece. The ends of an open curve do not move.
 std::vector<Vec2> smooth_curve(const std::vector<Vec2>& curve, double length);
 
-/// Returns the curve with each point moved to its left by the distance `left`.
+/// Returns the curve with each point moved to the curve's left by the distance `left`.
 std::vector<Vec2> beside(const std::vector<Vec2>& curve, double left);
 
 }  // namespace geomesh::geomodel

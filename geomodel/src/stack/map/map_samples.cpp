@@ -10,7 +10,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_for_plane = 6;
 constexpr std::size_t samples_a_bin = 3;
-// Fraction of the sample spacing: a place at most this far beside a surface counts as on its border.
+// Distance beside a surface up to which a place counts as on its border, as a fraction of the sample spacing.
 constexpr double by_rounding = 1e-4;
 
 /// Sums for the normal equations of a plane that is fitted to samples around a centre.

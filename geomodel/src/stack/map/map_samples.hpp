@@ -34,7 +34,7 @@ class MapSamples {
   std::size_t n_surfaces() const { return locators_.size(); }
   const TriangulatedSurface& surface(std::size_t k) const { return *surfaces_[k]; }
   Vec2 place(std::size_t sample) const { return places_[sample]; }
-  /// Returns one height per surface, NaN where the surface is absent.
+  /// Returns the height of each surface at a sample's place, NaN where the surface is absent.
   std::span<const double> heights(std::size_t sample) const {
     return {heights_.data() + sample * n_surfaces(), n_surfaces()};
   }

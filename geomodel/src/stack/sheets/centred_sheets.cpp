@@ -13,13 +13,13 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr int rounds = 20;
-constexpr int hops = 6;  // number of edges over which a round passes on corrections that vertices could not take
+constexpr int hops = 6;  // number of edges over which a round passes on height corrections that vertices could not take
 constexpr double most_places = 1e5;
-// Largest distance between sampled places, as a fraction of the cells of the thickness raster.
+// Largest distance between sampled places, as a fraction of the thickness raster's cell size.
 constexpr double place_of_cell = 0.25;
 constexpr double fit_of_spacing = 2;  // radius in which data are averaged, as a multiple of the sample spacing
-constexpr double fit_of_cell = 0.5;   // largest averaging radius, as a fraction of the cells of the thickness raster
-// Additional room of the moved horizon where a unit closes, as a fraction of the least thickness.
+constexpr double fit_of_cell = 0.5;   // largest averaging radius, as a fraction of the thickness raster's cell size
+// Additional vertical move that a horizon may make where a unit closes, as a fraction of the least thickness.
 constexpr double more_where_closing = 0.5;
 
 /// A place of the map, and the heights that data and rules give to the horizons there; NaN for absent horizons.
@@ -100,7 +100,7 @@ class Centring {
     return false;
   }
 
-  /// Extends the room of vertices beside a pinch-out line, for the horizon that is moved where the unit closes.
+  /// Lets the vertices beside a pinch-out line move farther, for the horizon that is moved where the unit closes.
   void leave_room_where_units_close() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (const VertexIndex w : neighbours_[v])
@@ -114,7 +114,7 @@ class Centring {
     room_.down[row] = std::max(room_.down[row], least);
   }
 
-  /// Gives horizons that share a vertex the smaller of their allowed moves.
+  /// Gives horizons that are merged at a vertex the smaller of their allowed vertical moves.
   void share_room() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (int way = 0; way < 2; ++way)
@@ -126,7 +126,7 @@ class Centring {
         }
   }
 
-  /// Returns the weight with which a vertex takes on corrections that its neighbours could not take.
+  /// Returns the weight with which a vertex takes on height corrections that its neighbours could not take.
   double taking(VertexIndex v, std::size_t horizon) const {
     return follows(v, horizon) ? 0 : weights_[v * n_ + horizon];
   }
@@ -148,7 +148,7 @@ class Centring {
     }
   }
 
-  /// Moves each vertex by its weighted mean distance from the data, as far as allowed. Returns the remaining sums.
+  /// Moves vertices by their weighted mean distance from data, as far as allowed. Returns sums of the distances left.
   std::vector<double> moved_by(std::vector<double> sums) {
     std::vector<double> before(n_);
     const double least = share_for_centring * options_.allowed;
@@ -167,7 +167,7 @@ class Centring {
   }
 
   /// Moves the horizons at vertex v by at most `most` towards their data, then restores their order. Returns false if
-  /// this pushes one farther than it may move.
+  /// this moves a horizon farther than allowed.
   bool move(VertexIndex v, const std::vector<double>& sums, double most) {
     const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
     const auto lowest = [&](std::size_t row) { return first_[row] - std::min(most, room_.down[row]); };
@@ -185,7 +185,7 @@ class Centring {
     return true;
   }
 
-  /// Distributes the corrections that vertices could not take among their neighbours.
+  /// Distributes the height corrections that vertices could not take among their neighbours.
   std::vector<double> passed_on(const std::vector<double>& left) const {
     std::vector<double> passed(left.size(), 0);
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
@@ -204,9 +204,9 @@ class Centring {
   /// For each vertex, the pairs of horizons that are merged in any triangle around it.
   std::vector<MergedPairs> merged_about_;
   std::vector<std::vector<VertexIndex>> neighbours_;
-  std::vector<double> first_;           ///< heights of all vertices before the first round
-  SheetRoom room_;                      ///< largest vertical moves, from the heights before the first round
-  std::vector<double> sums_, weights_;  ///< per vertex and horizon: weighted sum of distances from the data; of weights
+  std::vector<double> first_;           ///< heights of all vertices before the first round of moves
+  SheetRoom room_;                      ///< largest moves of vertices from their heights before the first round
+  std::vector<double> sums_, weights_;  ///< per vertex and horizon: sum of weighted distances from data, and of weights
   std::vector<RuledPlace> places_;
 };
 

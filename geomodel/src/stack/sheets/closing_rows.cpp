@@ -68,7 +68,7 @@ class ClosingRow {
 
   bool is_cut(VertexIndex a, VertexIndex b) const { return on_line_[a] != on_line_[b]; }
 
-  /// Collects the pairs that are merged in a triangle beside each edge, and hence at the point where the edge is cut.
+  /// Collects for each edge the pairs of horizons merged in a triangle beside it, hence merged where the edge is cut.
   void join_pairs_of_edges() {
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
       const Triangle& t = sheets_.triangles[f];
@@ -131,7 +131,7 @@ class ClosingRow {
   const SheetOptions& options_;
   double width_;
   MergedPairs bit_;
-  // whether each point from before the cut lies on the pinch-out line; both ends of every cut edge are such points
+  // whether each point that existed before edges were cut lies on the pinch-out line; cut edges have only such ends
   std::vector<bool> on_line_;
   std::map<VertexIndex, std::vector<VertexIndex>> along_line_;
   std::map<Edge, MergedPairs> merged_beside_;

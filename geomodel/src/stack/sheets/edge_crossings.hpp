@@ -17,8 +17,8 @@ struct EdgeCrossing {
   std::size_t horizon;
   Index cell;          ///< triangle of the map that the data's edge leaves at this crossing
   VertexIndex a, b;    ///< the side
-  double along;        ///< position of the crossing on the side, as a fraction of the way from a to b
-  double from_vertex;  ///< distance in m of the crossing from the nearer of a and b
+  double along;        ///< position of the crossing on the triangle's side, from 0 at a to 1 at b
+  double from_vertex;  ///< distance in m of the crossing from the nearer end of the triangle's side
   Vec2 place;
   double height;  ///< of the data
 };

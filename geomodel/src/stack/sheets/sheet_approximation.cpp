@@ -18,8 +18,8 @@ constexpr double vertex_is_off = 0.5;
 // Fraction of the sample spacing within which crossings beside a vertex are not tested: there, the height of the vertex
 // itself causes the distance from the data.
 constexpr double near_vertex = 0.25;
-constexpr int most_rounds = 4;  // most rounds of adding points where edges are too far from the data
-// Distance of a new vertex beside its sample, as a fraction of the sample spacing.
+constexpr int most_rounds = 4;  // most rounds of adding points at edges that are too far from the data
+// Distance of a new vertex from the sample beside which it is placed, as a fraction of the sample spacing.
 constexpr double beside_of_spacing = 0.02;
 constexpr double golden_angle = 2.399963229728653;
 // Least length of a constraint segment that may be halved, as a multiple of the sample spacing.
@@ -75,7 +75,7 @@ class Sheets {
     set_heights(v);
   }
 
-  /// Fits the planes at a vertex again, with half of the radius.
+  /// Fits the horizons' planes at a vertex again, to the data within half of the previous radius.
   void sharpen(VertexIndex v) {
     radius_[v] *= 0.5;
     set_heights(v);
@@ -85,14 +85,14 @@ class Sheets {
     if (radius_[v] == 0) return 0;
     return std::abs(heights_on_triangles(map_.points()[v], vertex_merged_[v])[horizon] - heights_[v * n_ + horizon]);
   }
-  /// Returns the heights on the input triangles at the place p, after they were put in order.
+  /// Returns the heights of all horizons at the place p on their input triangles, after putting them in order.
   std::span<const double> heights_on_triangles(const Vec2& p, MergedPairs merged) {
     samples_.heights_at(p, exact_);
     settle_column(exact_, merged, options_.keepers, options_.gap);
     return exact_;
   }
 
-  /// Returns the barycentric coordinates of the place p in a cell.
+  /// Returns the barycentric coordinates of the place p in a cell of the triangulation.
   std::array<double, 3> weights(Index cell, const Vec2& p) const {
     const Triangle& v = map_.cells()[cell].vertices;
     const Vec2 &a = map_.points()[v[0]], &b = map_.points()[v[1]], &c = map_.points()[v[2]];
@@ -166,13 +166,13 @@ class Sheets {
   const GrowingTriangulation& map_;
   std::vector<MergedPairs> zone_merged_;
   std::vector<MergedPairs> vertex_merged_;  ///< for each vertex, the pairs of horizons merged in any cell around it
-  std::vector<double> radius_;              ///< radius of the fit at each vertex; 0 for heights on the input triangles
+  std::vector<double> radius_;              ///< radius of the plane fit at each vertex; 0: heights on input triangles
   std::vector<double> heights_;             ///< settled; per vertex
   std::vector<Index> star_;
   std::vector<double> exact_;
 };
 
-/// The samples in each cell, with their heights after they were put in order.
+/// The samples in each cell of the triangulation, with their heights after they were put in order.
 class HeldSamples {
  public:
   HeldSamples(const MapSamples& samples, const SheetOptions& options, const GrowingTriangulation& map,
@@ -195,7 +195,7 @@ class HeldSamples {
 
   const std::vector<Index>& of(Index cell) const { return by_cell_[cell]; }
   double target(Index sample, std::size_t k) const { return targets_[sample * n_ + k]; }
-  /// Moves the samples of removed cells to the new cells.
+  /// Moves the samples of removed cells of the triangulation to the new cells.
   void redistribute(const Sheets& sheets, std::size_t n_cells, const GrowingTriangulation::Change& change) {
     std::vector<Index> moving;
     for (const Index cell : change.emptied) {
@@ -256,7 +256,7 @@ class Approximation {
   }
 
   struct Worst {
-    double excess;  ///< a sample's distance from the approximation, divided by the allowed one
+    double excess;  ///< a sample's vertical distance from the approximation, divided by the allowed distance
     Index cell, version, sample;
     bool operator<(const Worst& other) const {
       return excess != other.excess ? excess < other.excess : cell > other.cell;
@@ -267,7 +267,7 @@ class Approximation {
     return std::abs(sheets_.height(cell, w, k) - held_.target(sample, k));
   }
 
-  /// Queues a cell if one of its samples is farther from the approximation than allowed.
+  /// Queues a triangulation cell if one of its samples is farther from the approximation than allowed.
   void measure(Index cell) {
     Worst worst{1, cell, ++version_[cell], no_index};
     const std::uint64_t givers = sheets_.giving_way(cell);
@@ -288,11 +288,11 @@ class Approximation {
     const Triangle& v = map_.cells()[worst.cell].vertices;
     const double side = std::sqrt(twice_area(map_.points()[v[0]], map_.points()[v[1]], map_.points()[v[2]]));
     map_.add(p, at, shortest_of_spacing * samples_.spacing(), change_);
-    if (change_.vertex == no_vertex) return;  // nothing inserted: p is at a vertex, or the cell is too narrow
+    if (change_.vertex == no_vertex) return;  // nothing inserted, because p is at a vertex, or the cell is too narrow
     take_change();
     sheets_.add_vertex(change_.vertex, fit_of_edge * std::min(lattice_, side));
     for (const Index cell : change_.made) measure(cell);
-    // A constraint segment in other cells may have been split instead, so the sample must be handled again.
+    // If inserting the vertex split a segment in other cells instead, the cell of the sample is measured again.
     if (std::find(change_.made.begin(), change_.made.end(), worst.cell) == change_.made.end()) measure(worst.cell);
   }
 
@@ -369,7 +369,7 @@ class Approximation {
   GrowingTriangulation map_;
   Sheets sheets_;
   HeldSamples held_;
-  std::vector<Index> version_;  ///< version of each cell; queue entries with an older version are ignored
+  std::vector<Index> version_;  ///< version of each triangulation cell; queue entries with an older version are ignored
   std::priority_queue<Worst> queue_;
   GrowingTriangulation::Change change_;
 };

@@ -21,7 +21,7 @@ inline constexpr double fit_of_edge = 0.35;
 
 struct SheetOptions {
   Keepers keepers;     ///< one a pair
-  double allowed = 0;  ///< largest vertical distance in m from the samples' heights after they were put in order
+  double allowed = 0;  ///< largest vertical distance in m that is allowed from the samples' ordered heights
   double gap = 0;      ///< least thickness in m at vertices at which a pair of neighbouring horizons is not merged
   double room_at_pinch_outs = 0;  ///< additional distance in m allowed in triangles that touch a pinch-out line
   /// Whether vertices are placed a little beside samples. Otherwise the edges of surfaces that are approximated

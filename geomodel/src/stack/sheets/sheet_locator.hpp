@@ -10,11 +10,11 @@ namespace geomesh::geomodel {
 
 class SheetLocator {
  public:
-  /// Precondition: `sheets` must outlive this object.
+  /// Precondition: `sheets` outlives the SheetLocator.
   explicit SheetLocator(const MapSheets& sheets);
 
   struct Place {
-    Index triangle = no_index;  ///< index of the triangle; no_index outside the triangulation
+    Index triangle = no_index;  ///< index of the triangle that contains the place; no_index outside the triangulation
     std::array<double, 3> weights{};
   };
   Place find(const Vec2& p) const;

@@ -72,9 +72,8 @@ class RoomFinder {
     }
   }
 
-  /// Limits the vertical moves of both ends of a triangle's side where an edge of the data crosses it. The distance is
-  /// measured from the data if they are within the allowed distance, otherwise from the height after the rules were
-  /// applied.
+  /// Limits the vertical moves of both ends of a triangle's side where an edge of the data crosses it. Distances are
+  /// measured from the data; if the horizon is too far from the data there, from the height that the rules give it.
   void look_at(const EdgeCrossing& at) {
     const std::size_t k = at.horizon;
     const double z = (1 - at.along) * sheets_.height(at.a, k) + at.along * sheets_.height(at.b, k);

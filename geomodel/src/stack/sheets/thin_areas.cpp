@@ -11,20 +11,20 @@ namespace {
 
 constexpr double cells_a_size = 4;
 constexpr std::uint32_t few_samples = 4;  // of a cell
-constexpr int places_a_side = 3;          // number of sampled places per side of a cell that contains few samples
+constexpr int places_a_side = 3;          // number of sampled places along a side of raster cells with few samples
 constexpr int smoothing_passes = 4;
 constexpr std::size_t cells_a_task = 1024;
-constexpr double least_squares = 2;   // least area of an island, as a multiple of the squared target size
-constexpr double surely_thin = 0.75;  // units thinner than this fraction of the least thickness are merged
-constexpr double surely_thick = 1.5;  // units thicker than this multiple of it are kept separate
-// Multiple of the least thickness from which an island of the unit is kept whatever its area.
+constexpr double least_squares = 2;   // least area of a thin area or an opening in one, in squares of the target size
+constexpr double surely_thin = 0.75;  // thin areas must somewhere be below this fraction of the least thickness
+constexpr double surely_thick = 1.5;  // openings in thin areas must exceed this multiple of the least thickness
+// Multiple of the least thickness from which an opening in a thin area is kept whatever its area.
 constexpr double kept_however_small = 3;
 constexpr double line_piece = 0.7;  // of the size
 constexpr double led_from = 0.12;   // of the size
 constexpr double same_line = 0.35;  // of the size
 
-/// Averages each horizon's height over evenly spaced places of one cell. If some horizon is absent at each place, the
-/// heights at the cell's centre are used.
+/// Averages each horizon's height over evenly spaced places of one raster cell. If some horizon is absent at each
+/// place, the heights at the cell's centre are used.
 void average_places(const MapSamples& samples, const MapRaster& like, std::size_t cell, std::vector<MapRaster>& means) {
   const Vec2 centre = like.centre(cell % like.n_columns, cell / like.n_columns);
   std::vector<double> heights(means.size()), sums(means.size(), 0);
@@ -41,7 +41,7 @@ void average_places(const MapSamples& samples, const MapRaster& like, std::size_
   for (std::size_t k = 0; k < sums.size(); ++k) means[k].values[cell] = n == 0 ? heights[k] : sums[k] / n;
 }
 
-/// Returns each horizon's mean height over the samples in each cell, or over evenly spaced places if there are few.
+/// Returns each horizon's mean height over the samples in a raster cell, or over evenly spaced places if there are few.
 std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& like) {
   const std::size_t n = samples.n_surfaces();
   std::vector<MapRaster> means(n, like);
@@ -50,7 +50,7 @@ std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& li
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const std::size_t cell = like.cell_of(samples.place(s));
     const std::span<const double> heights = samples.heights(s);
-    // Uses only samples with all horizons, so that the means of neighbours represent the same places.
+    // Samples at which a horizon is absent are left out, so that the means of all horizons represent the same places.
     const bool complete = std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); });
     if (!complete) continue;
     for (std::size_t k = 0; k < n; ++k) means[k].values[cell] += heights[k];
@@ -97,7 +97,7 @@ void put_in_order(std::vector<MapRaster>& thickness, const Keepers& keepers) {
   }
 }
 
-/// Reverses the sign of connected groups of cells that are too small to be kept; returns their number.
+/// Reverses the sign of groups of raster cells (thin areas, or openings) too small to be kept; returns their number.
 std::size_t drop_islands(MapRaster& excess, const ThinAreaOptions& options) {
   const double cell = excess.step * excess.step, least = least_squares * options.size * options.size;
   const auto turn = [&](bool below, auto&& stays) {

@@ -13,14 +13,14 @@ namespace geomesh::geomodel {
 struct ThinAreaOptions {
   double size = 0;       ///< target edge length in the map in m; pinch-out lines are smooth at this scale
   double thickness = 0;  ///< least thickness of a unit, in m
-  double shift = 0;      ///< distance in m by which pinch-out lines are moved into the merged area
+  double shift = 0;      ///< distance in m by which pinch-out lines are moved into the area where horizons are merged
 };
 
 /// The thin areas between one pair of neighbouring horizons of the stack.
 struct ThinArea {
   MapRaster excess;  ///< thickness minus the least thickness, negative where the two horizons are merged
   std::vector<std::vector<Vec2>> curves;  ///< pinch-out lines, in pieces of about the target size
-  /// Number of removed islands: areas too small to be merged, or openings too small to be kept.
+  /// Number of thin areas too small to be merged, and of openings in thin areas too small to be kept.
   std::size_t n_islands = 0;
   bool any() const;
 };

@@ -9,11 +9,11 @@
 
 namespace geomesh::geomodel {
 
-/// A horizon of a stack. A horizon without throw consists of `single` only.
+/// A horizon of a stack. Without throw, it consists of the surface `single` only.
 struct BlockData {
-  /// Triangles without triangles of another block above or below; those made by rules do not count for original ones.
+  /// Triangles without another block above or below. For original triangles, those made by rules do not count.
   TriangulatedSurface single;
-  std::vector<Index> block_of_single{};  ///< block of each triangle, as in BuiltRows
+  std::vector<Index> block_of_single{};  ///< fault block of each triangle, as in BuiltRows
   /// All triangles of each block, including those that belong to every block and the block's extension through its
   /// faults.
   std::vector<TriangulatedSurface> blocks{};

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double furthest_carried = 40;  // largest distance of extrapolation, in median edge lengths of a block
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr Index no_throw = no_index - 2;  // stands for the block of a horizon without throw
+constexpr Index no_throw = no_index - 2;  // value that stands for the block of a horizon without throw
 
 /// Heights of the blocks of one horizon: on their triangles, and extrapolated beyond them.
 class BlockHeights {
@@ -85,7 +85,7 @@ class StripTriangles {
   bool in_strip(std::size_t t) const { return in_strip_[t]; }
   bool has_throw(std::size_t k) const { return heights_[k] != nullptr; }
   bool is_of_every(std::size_t k, std::size_t t) const { return crossing_[k][t] == Crossing::continuation; }
-  /// Returns the blocks of a triangle: one, or those on both sides of a fault it crosses; none if it is of every block.
+  /// Returns a triangle's blocks: one, or those on both sides of a fault that it crosses; none if it belongs to all.
   const std::vector<Index>& blocks(std::size_t k, std::size_t t) const { return blocks_[k][t]; }
   const BlockHeights& heights(std::size_t k) const { return *heights_[k]; }
 
@@ -122,8 +122,8 @@ class StripTriangles {
       if (crossing_[k][t] == Crossing::fault) in_strip_[t] = 1;
   }
 
-  /// Returns the mean, lowest and highest height of the blocks around a vertex; else of those that reach it; else of
-  /// all. If the horizon has a single height at the vertex, that replaces the mean.
+  /// Returns the mean, lowest and highest height at a vertex of the blocks in `about`, else of blocks that reach the
+  /// vertex, else of all. If the horizon has a single height at the vertex, that replaces the mean.
   std::array<double, 3> mean_and_ends(std::size_t k, VertexIndex v, const std::set<Index>& about) const {
     const Vec2& p = sheets_.points[v];
     const double settled = sheets_.height(v, k);
@@ -164,7 +164,7 @@ class StripTriangles {
     share_where_crossed(k);
   }
 
-  /// Assigns triangles connected without crossing a fault to the block that is present alone over most of their area.
+  /// Assigns triangles connected without crossing a fault to the horizon's block that alone covers most of their area.
   void label_parts(std::size_t k) {
     const std::size_t n = sheets_.triangles.size();
     const auto counts = [&](std::size_t t) { return crossing_[k][t] == Crossing::none; };
@@ -218,7 +218,7 @@ class StripTriangles {
   /// Heights of each horizon's blocks; null for horizons without throw.
   std::vector<std::unique_ptr<BlockHeights>> heights_;
   std::vector<char> in_strip_;                           ///< per triangle
-  std::vector<std::vector<Crossing>> crossing_;          ///< the kind of crossing, for each horizon and triangle
+  std::vector<std::vector<Crossing>> crossing_;          ///< per horizon and triangle: fault or extension crossed
   std::vector<std::vector<std::vector<Index>>> blocks_;  ///< the same
 };
 
@@ -293,7 +293,7 @@ class BothSides {
   using Key = std::tuple<VertexIndex, std::size_t, Index>;  ///< vertex, horizon, block
   struct Copy {
     double height = nan;
-    bool is_fixed = false;  ///< whether the height is the settled one, which triangles with a single height share
+    bool is_fixed = false;  ///< whether the height is fixed, because triangles with a single height share the vertex
   };
 
   /// Keeps the single height at vertices of triangles outside the strips along faults, and beyond the ends of faults.
@@ -475,7 +475,7 @@ class BothSides {
 
   struct Assembly {
     std::size_t horizon;
-    std::map<VertexIndex, VertexIndex> single;  ///< for each vertex with a single height, its new point
+    std::map<VertexIndex, VertexIndex> single;  ///< new point of each vertex at which the horizon has one height
     std::map<std::pair<VertexIndex, Index>, VertexIndex> sided;  ///< and of copies
   };
 

@@ -35,13 +35,13 @@ struct SidedHorizon {
   std::vector<Vec3> points;
   /// Counter-clockwise triangles: first those with a single height, then those that exist on both sides of a fault.
   std::vector<Triangle> triangles;
-  std::vector<Index> block;  ///< block of each triangle, as in BuiltRows
-  Index n_single = 0;        ///< number of triangles with a single height
+  std::vector<Index> block;  ///< fault block of each triangle, as in BuiltRows
+  Index n_single = 0;        ///< number of triangles with one height; the others exist once on each side of a fault
   double area = 0;           ///< area in the map of the strips along faults
   double largest_move = 0;   ///< largest move in the strips along faults that restoring the order required
   Vec3 place;
-  /// Largest move that violates the rules: by these the horizon keeps its height and another one, which has no throw at
-  /// that place, should have been moved.
+  /// Largest move in m that violates the rules: this horizon should keep its height, but the horizon that should move
+  /// instead has no throw at that place.
   double largest_against_rule = 0;
 };
 

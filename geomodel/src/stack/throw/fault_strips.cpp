@@ -14,7 +14,7 @@ constexpr double margin_of_size = 0.3;
 constexpr double piece_of_size = 0.6;
 constexpr int smoothing_passes = 2;
 
-/// Marks with -1 the cells with more than one block of a horizon, or none. Returns whether any cell has none.
+/// Marks with -1 the raster cells that have several blocks of a horizon, or none. Returns whether any cell has none.
 bool mark_cells(const BlockData& horizon, const MapBounds& bounds, MapRaster& raster) {
   const MapLocator single(horizon.single);
   std::vector<MapLocator> blocks(horizon.blocks.begin(), horizon.blocks.end());
@@ -29,7 +29,7 @@ bool mark_cells(const BlockData& horizon, const MapBounds& bounds, MapRaster& ra
   return is_open;
 }
 
-/// Marks the cells within `reach` of marked cells, too.
+/// Marks also those cells of the raster that are within `reach` of marked cells.
 void widen(MapRaster& raster, double reach) {
   const std::vector<double> before = raster.values;
   const auto n = static_cast<std::ptrdiff_t>(std::ceil(reach / raster.step));
@@ -45,7 +45,7 @@ void widen(MapRaster& raster, double reach) {
   }
 }
 
-/// Gives each cell beyond the bounds the value of the nearest cell within them.
+/// Gives each cell of the raster beyond the bounds the value of the nearest cell within them.
 void continue_beyond(MapRaster& raster, const MapBounds& bounds) {
   for (std::size_t c = 0; c < raster.size(); ++c)
     if (!bounds.holds(raster.centre(c % raster.n_columns, c / raster.n_columns))) raster.values[c] = std::nan("");

@@ -21,7 +21,7 @@ void for_each_place(const MapBounds& bounds, F&& visit) {
                  bounds.min.y + (j + 0.5) / places_across * (bounds.max.y - bounds.min.y)});
 }
 
-/// Returns the blocks all of whose triangles cross a fault, or that have no triangles.
+/// Returns a horizon's blocks all of whose triangles cross a fault, or that have no triangles.
 std::vector<bool> blocks_across_alone(const SidedHorizon& after, std::size_t n_blocks) {
   std::vector<bool> across(n_blocks, true);
   for (Index t = 0; t < after.n_single; ++t)
@@ -29,7 +29,7 @@ std::vector<bool> blocks_across_alone(const SidedHorizon& after, std::size_t n_b
   return across;
 }
 
-/// Returns whether the block lies on its own side of all faults at some place.
+/// Returns whether the block is, at some place of the map, on its own side of every fault.
 bool has_a_place(const TriangulatedSurface& block, const std::vector<bool>& sides, const BlockPlaces& places) {
   if (block.triangles.empty()) return false;
   std::vector<FaultSides> faults;
