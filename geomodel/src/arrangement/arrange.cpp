@@ -33,16 +33,11 @@ void check_box(const Box3& box) {
 }
 
 /// Snapping distance of a round that repairs overlaps left by rounding. These are a few ulps thin, so new points snap
-/// to existing ones nearby, over a larger distance in each round.
-double mending_distance(const Complex& complex, unsigned round) {
-  return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
+/// to existing ones nearby, over a larger distance in each round. Surfaces that nearly coincide are merged within the
+/// distance of the first round.
+double mending_distance(double ulp, unsigned round) {
+  return ulp * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
-
-/// Merging distance in ulps: surfaces that nearly coincide are a few ulps apart.
-constexpr double joining_ulps = 32;
-
-/// Facets whose sides are all shorter than this fraction of the tolerance are too tiny to be features of a model.
-constexpr double speck_of_tolerance = 1e-6;
 
 void close_thin_pockets(Complex& complex, const ArrangementOptions& options, const SurfaceList& surfaces,
                         ArrangementResult::Merging& merging) {
@@ -183,26 +178,24 @@ constexpr unsigned most_snaps = 6;  // in one round
 SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned round,
                             const std::optional<Box3>& bounds) {
   if (contacts.empty()) return {};
-  return snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds});
+  return snap_near(complex, marks_of(contacts, complex),
+                   {mending_distance(unit_in_the_last_place(complex), round), bounds});
 }
 
-/// Limits on the numbers of facets and contacts. Beyond them, repairing what rounding breaks is given up as endless.
+/// Limits on the numbers of rounds and contacts. Beyond them, repairing what rounding breaks is given up as endless.
 class MendingBounds {
  public:
-  MendingBounds(const Complex& complex, const Contacts& contacts, unsigned most_rounds)
-      : most_facets_(4 * complex.facets.size() + 1000),
-        fewest_contacts_(contacts.facets.size()),
-        most_rounds_(most_rounds) {}
-  bool grows(const Complex& complex) const { return complex.facets.size() > most_facets_; }
-  /// Returns whether there are so many rounds, facets or contacts that repairing crossings seems to have no end.
-  bool has_no_end(unsigned round, const Complex& complex, const Contacts& contacts) {
+  MendingBounds(const Contacts& contacts, unsigned most_rounds)
+      : fewest_contacts_(contacts.facets.size()), most_rounds_(most_rounds) {}
+  /// Returns whether there are so many rounds or contacts that repairing crossings seems to have no end.
+  bool has_no_end(unsigned round, const Contacts& contacts) {
     const std::size_t n = contacts.facets.size(), most = 4 * fewest_contacts_ + 1000;
     fewest_contacts_ = std::min(fewest_contacts_, n);
-    return round > most_rounds_ || grows(complex) || n > most;
+    return round > most_rounds_ || n > most;
   }
 
  private:
-  std::size_t most_facets_, fewest_contacts_;
+  std::size_t fewest_contacts_;
   unsigned most_rounds_;
 };
 
@@ -221,7 +214,7 @@ class Arrangement {
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
     first_rounding_ = unit_in_the_last_place(ingested_.complex);
     planes_ = planes_of(result_.box_sides, bounds_);
-    joining_ = {joining_ulps * first_rounding_, planes_, surfaces.size(), !options.box};
+    joining_ = {mending_distance(first_rounding_, 1), planes_, surfaces.size(), !options.box};
     result_.memory_bound = options.max_memory > 0 ? options.max_memory : default_memory_bound();
     result_.warnings = std::move(ingested_.warnings);
     result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
@@ -238,7 +231,7 @@ class Arrangement {
     log_round(context_, 0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
     apply_tolerance(complex);
-    MendingBounds bounds(complex, contacts, options_.max_rounding_rounds);
+    MendingBounds bounds(contacts, options_.max_rounding_rounds);
     for (unsigned round = 1;; ++round) {
       contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
@@ -248,18 +241,18 @@ class Arrangement {
         book_.take(*joined);
         contacts = find_contacts(complex, context_, result_.memory_bound);
       }
-      for (unsigned k = 0; k < most_snaps && !bounds.grows(complex); ++k) {
+      for (unsigned k = 0; k < most_snaps; ++k) {
         const SnapOutcome outcome = snap_what_meets(complex, contacts, round, planes_);
         if (!outcome.changed()) break;
         book_.take(outcome);
         contacts = find_contacts(complex, context_, result_.memory_bound);
       }
       if (contacts.empty()) break;
-      if (bounds.has_no_end(round, complex, contacts)) refuse(surfaces_, complex, contacts);
+      if (bounds.has_no_end(round, contacts)) refuse(surfaces_, complex, contacts);
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
-    if (options_.tolerance > 0) flatten(complex);
+    if (options_.tolerance > 0) book_.take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
     book_lost_parts(complex);
     if (options_.tolerance > 0) close_thin_pockets(complex, options_, surfaces_, result_.merging);
     mend_surfaces(complex, options_.tolerance, joining_.distance, result_, book_.vanished);
@@ -280,27 +273,18 @@ class Arrangement {
     end_continuations(clip, options_);
     add(cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself), result_.merging.displacement);
     context_.check_cancelled();
-    return take(round_to_doubles(arranged, ingested_.complex,
-                                 {.snap = first_rounding_, .box = planes_, .onto_sides_alone = true}));
+    return take(round_to_doubles(arranged, ingested_.complex, {first_rounding_, planes_}));
   }
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
     const Arranged arranged = arrange_round(complex, contacts, context_, result_.memory_bound);
-    RoundingOptions rounding{0, planes_};
-    rounding.snap = mending_distance(complex, round);
-    return take(round_to_doubles(arranged, complex, rounding));
+    return take(
+        round_to_doubles(arranged, complex, {mending_distance(unit_in_the_last_place(complex), round), planes_}));
   }
 
   void apply_tolerance(Complex& complex) {
     if (options_.tolerance > 0)
       book_.take(snap_near(complex, all_facets(complex), {options_.tolerance, planes_, MoveToBox::none, join_rule_}));
-  }
-
-  void flatten(Complex& complex) {
-    Joining specks = joining_;
-    specks.distance = std::max(joining_.distance, speck_of_tolerance * options_.tolerance);
-    book_.take(merge_specks(complex, specks, context_, result_.memory_bound));
-    book_.take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
   }
 
   /// Records the movement of facets that have vanished since the last call.

@@ -108,11 +108,9 @@ std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const 
     if (o.surface >= joining.first_side) pairs.insert({o.surface, o.surface});
   const JoinRule rule =
       JoinRule::all_of(std::move(pairs), joining.sides_are_fixed ? static_cast<Index>(joining.first_side) : no_index);
-  Complex joined = complex;
-  SnapOutcome outcome = snap_near(joined, std::vector<std::uint8_t>(joined.facets.size(), 1),
+  SnapOutcome outcome = snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1),
                                   {joining.distance, joining.box, MoveToBox::none, rule});
-  if (!outcome.changed() || !outcome.facets_left_alone.empty()) return std::nullopt;
-  complex = std::move(joined);
+  if (!outcome.changed()) return std::nullopt;
   return outcome;
 }
 

@@ -21,8 +21,7 @@ struct Joining {
 
 /// Merges surfaces that still cross after rounding, which therefore nearly coincide, wherever they are within the
 /// distance. Mending them at the crossings alone would leave voids and gaps as thin as rounding between them. Sides of
-/// a box keep their planes. Returns nothing if nothing was near enough, or if facets could not be moved and would end
-/// beside their neighbours; the complex is then unchanged. Cost: that of snap_near().
+/// a box keep their planes. Returns nothing if nothing was near enough. Cost: that of snap_near().
 std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const Contacts& contacts,
                                                         const Joining& joining);
 

@@ -5,10 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
-#include <tuple>
 
-#include "arrangement/model/surface_ends.hpp"
 #include "arrangement/pockets/pocket_walls.hpp"
 #include "geomesh/core/surface_distance.hpp"
 
@@ -51,14 +48,6 @@ std::optional<Displacement> way_between(const Complex& complex, const std::vecto
   return way;
 }
 
-Triangle sorted_corners(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
-/// The vertex indices of an edge, the smaller first, and a surface at the edge.
-using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;
-
 /// For each triangle of the input, the part of its surface to which it belongs.
 class Parts {
  public:
@@ -72,85 +61,13 @@ class Parts {
   const std::vector<std::vector<Index>>& of_triangle_;
 };
 
-/// Surfaces that were assigned to facets because the void between them was closed.
-struct GivenSurfaces {
-  /// Surfaces assigned to each facet when voids were closed; the facet is given by its sorted corners.
-  std::map<Triangle, std::set<Index>> of_facet;
-  std::set<SurfaceEdge> borders;  ///< edges at which surfaces ended before any void was closed
-};
-
-/// Calls `visit` for each edge of the facet with each of the facet's surfaces.
-template <class Visit>
-void for_each_edge(const Complex& complex, Index f, const Visit& visit) {
-  const Triangle& t = complex.facets[f];
-  for (const Index surface : surfaces_of(complex.origins.of(f)))
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-      visit(SurfaceEdge{a, b, surface});
-    }
-}
-
-std::map<SurfaceEdge, Index> facets_at_edges(const Complex& complex) {
-  std::map<SurfaceEdge, Index> n_at;
-  for (Index f = 0; f < complex.facets.size(); ++f) for_each_edge(complex, f, [&](const SurfaceEdge& e) { ++n_at[e]; });
-  return n_at;
-}
-
-std::set<SurfaceEdge> borders_of(const Complex& complex) {
-  std::set<SurfaceEdge> borders;
-  for (const SurfaceEnd& end : surface_ends(complex)) borders.insert(borders.end(), {end.a, end.b, end.surface});
-  return borders;
-}
-
-void take_surface(Complex& complex, const std::map<Index, std::set<Index>>& taken) {
-  edit_origins(complex, [&](Index f, std::vector<Origin>& of) {
-    if (const auto at = taken.find(f); at != taken.end())
-      std::erase_if(of, [&](const Origin& o) { return at->second.contains(o.surface); });
-  });
-}
-
-/// Takes an assigned surface away from facets at which it ends in the open: a narrow strip between two closed voids may
-/// have been assigned a surface that lost its walls on either side of the strip. A facet loses its assigned surface if
-/// that now ends at one of its edges and did not end there before. This is repeated until no such facet is left.
-void prune_fins(Complex& complex, const GivenSurfaces& given) {
-  std::map<SurfaceEdge, Index> n_at = facets_at_edges(complex);
-  std::map<SurfaceEdge, std::vector<Index>> given_at;
-  std::vector<std::pair<Index, Index>> open;  // facets and surfaces
-  for (Index f = 0; f < complex.facets.size(); ++f) {
-    const auto own = given.of_facet.find(sorted_corners(complex.facets[f]));
-    if (own == given.of_facet.end()) continue;
-    for_each_edge(complex, f, [&](const SurfaceEdge& e) {
-      if (own->second.contains(std::get<2>(e))) given_at[e].push_back(f);
-    });
-    for (const Index surface : own->second) open.emplace_back(f, surface);
-  }
-  std::map<Index, std::set<Index>> taken;
-  while (!open.empty()) {
-    const Index f = open.back().first, surface = open.back().second;
-    open.pop_back();
-    bool ends = false;
-    for_each_edge(complex, f, [&](const SurfaceEdge& e) {
-      ends = ends || (std::get<2>(e) == surface && n_at[e] == 1 && !given.borders.contains(e));
-    });
-    if (!ends || !taken[f].insert(surface).second) continue;
-    for_each_edge(complex, f, [&](const SurfaceEdge& e) {
-      if (std::get<2>(e) != surface) return;
-      --n_at[e];
-      for (const Index g : given_at[e])
-        if (g != f) open.emplace_back(g, surface);
-    });
-  }
-  if (!taken.empty()) take_surface(complex, taken);
-}
-
 /// One round of closing thin voids; voids that share a facet are closed in different rounds.
 class PocketRound {
  public:
-  PocketRound(Complex& complex, double distance, Index first_side, const Parts& parts, GivenSurfaces& given)
+  PocketRound(Complex& complex, double distance, Index first_side, const Parts& parts)
       : complex_(complex),
         distance_(distance),
         parts_(parts),
-        given_(given),
         edges_(edge_facets(complex)),
         walls_(complex, edges_, first_side),
         is_taken_(complex.facets.size(), 0),
@@ -161,7 +78,6 @@ class PocketRound {
     for (const std::vector<FacetSide>& shell : shells_of(complex_, edges_))
       if (is_thin(shell)) close(shell, done);
     if (done.n_pockets == before) return false;
-    if (before == 0) given_.borders = borders_of(complex_);
     remove_walls(done);
     return true;
   }
@@ -203,8 +119,6 @@ class PocketRound {
       const bool looks_in = is_front(nearest) != o.reversed;
       o.reversed = looks_in == is_front(stays);
       more_origins_[facet_of(stays)].push_back(o);
-      if (std::none_of(own.begin(), own.end(), [&](const Origin& p) { return p.surface == o.surface; }))
-        given_.of_facet[sorted_corners(complex_.facets[facet_of(stays)])].insert(o.surface);
     }
   }
 
@@ -236,7 +150,6 @@ class PocketRound {
   Complex& complex_;
   double distance_;
   const Parts& parts_;
-  GivenSurfaces& given_;
   EdgeFacets edges_;
   WallSearch walls_;
   std::vector<std::uint8_t> is_taken_, goes_;
@@ -248,10 +161,8 @@ class PocketRound {
 ClosedPockets close_pockets(Complex& complex, double distance, Index first_side,
                             const std::vector<std::vector<Index>>& parts) {
   ClosedPockets done;
-  GivenSurfaces given;
-  while (PocketRound(complex, distance, first_side, Parts(parts), given).run(done)) {
+  while (PocketRound(complex, distance, first_side, Parts(parts)).run(done)) {
   }
-  if (!given.of_facet.empty()) prune_fins(complex, given);
   return done;
 }
 

@@ -13,12 +13,12 @@ struct ClosedPockets {
 };
 
 /// Closes thin voids. A thin void is a closed space whose two walls are proven to be within the distance of each other.
-/// One wall is removed, and the other becomes part of the surfaces of both. If a surface would then remain only on a
-/// narrow part where it ends, it is removed from that part. No new crossings arise, since no facet moves. A void is
-/// kept if a wall is a side of the volume (surfaces from index `first_side` on), if something else is attached to the
-/// wall, or if no part of one surface is about half of the void's area. `parts` is as in ArrangementOptions.
-/// Precondition: facets meet in shared vertices and edges only. Unused points may be left. O(n log n) for voids of few
-/// facets.
+/// One wall is removed, and the other becomes part of the surfaces of both. No new crossings arise, since no facet
+/// moves. A void is kept if a wall is a side of the volume (surfaces from index `first_side` on), if something else is
+/// attached to the wall, or if no part of one surface is about half of the void's area. A surface that then remains
+/// only on a narrow strip between two voids is a dangling face there (cut_dangling_faces()). `parts` is as in
+/// ArrangementOptions. Precondition: facets meet in shared vertices and edges only. Unused points may be left.
+/// O(n log n) for voids of few facets.
 ClosedPockets close_pockets(Complex& complex, double distance, Index first_side,
                             const std::vector<std::vector<Index>>& parts = {});
 

@@ -32,7 +32,6 @@ class Rebuilding {
   /// than insertions.
   void leave_out_what_splits_nothing() {
     for (std::vector<Index> open = split_all(); !open.empty();) {
-      outcome_.facets_left_alone.insert(outcome_.facets_left_alone.end(), open.begin(), open.end());
       std::set<EdgeKey> whole;
       for (const Index f : open) {
         insertions_.in_facet.erase(f);

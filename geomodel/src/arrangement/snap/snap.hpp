@@ -28,8 +28,6 @@ struct SnapOptions {
 
 struct SnapOutcome {
   std::size_t n_vertices_merged = 0, n_vertices_inserted = 0, n_facets_merged = 0;
-  /// Facets that cannot be split at vertices near them, so that their edges are kept whole; as indices before snapping.
-  std::vector<Index> facets_left_alone;
   std::vector<VanishedFacet> vanished;
   Displacement moved;  ///< movement of vertices merged with others, and of edges and facets to inserted vertices
   bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
