@@ -4,6 +4,7 @@
 import glob
 import hashlib
 import json
+import math
 import os
 import re
 import shutil
@@ -11,10 +12,36 @@ import subprocess
 import sys
 
 from geomesh_program import BAD_INPUT, CANNOT_MESH, PROGRAM, SOURCE, USAGE, ProgramTest, has_module, main
+from vtk_files import VtkFile
 
 RANKS_PROGRAM = os.path.join(os.path.dirname(PROGRAM), "geomesh-mpi")
 NAME = "faulted_layers"
 FORMATS = "[vtu, exodus, msh]" if has_module("exodus") else "[vtu, msh]"
+
+
+def least_dihedral_angle(corners):
+    """The least angle in degrees between two faces of a tetrahedron."""
+    normals = []
+    for i in range(4):
+        a, b, c = (corners[j] for j in range(4) if j != i)
+        u, v = ([q - p for p, q in zip(a, other)] for other in (b, c))
+        normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+        outward = -1 if sum(n * (q - p) for n, p, q in zip(normal, a, corners[i])) > 0 else 1
+        normals.append([outward * n / math.hypot(*normal) for n in normal])
+    return 180 - math.degrees(math.acos(max(-1, min(sum(p * q for p, q in zip(normals[i], normals[j])) for i in range(4) for j in range(i)))))
+
+
+def worst_angles(files):
+    """The least dihedral angles of the elements of all files, the smallest first."""
+    angles = []
+    for file in files:
+        mesh = VtkFile.read(file)
+        p, cells = mesh["Points", "Points"].values, mesh["Cells", "connectivity"].values
+        ghosts = [array.values for array in mesh.arrays if array.name == "vtkGhostType" and array.section == "CellData"]
+        for k in range(len(cells) // 4):
+            if not ghosts or ghosts[0][k] == 0:
+                angles.append(least_dihedral_angle([p[3 * v:3 * v + 3] for v in cells[4 * k:4 * k + 4]]))
+    return sorted(angles)
 
 
 class RanksTest(ProgramTest):
@@ -136,8 +163,10 @@ class OneMesh(RanksTest):
             file.write(re.sub(r"formats: *\[[^]]*\]", "formats: [vtu]", text))
         self.run_program(project, "-o", self.path("serial"))
         self.mpirun(2, RANKS_PROGRAM, project, "-o", self.path("out"), "-q")
-        serial, report = (self.report(glob.glob(self.path(folder, "*.report.json"))[0]) for folder in ("serial", "out"))
-        self.assertGreater(report["quality"]["min_dihedral"]["min"], 0.98 * serial["quality"]["whole"]["min_dihedral"]["min"])
+        serial, ranks = (worst_angles(glob.glob(self.path(folder, "*.vtu"))) for folder in ("serial", "out"))
+        # Single elements that the input forces differ by chance, in either direction.
+        self.assertGreater(sum(ranks[:10]), 0.98 * sum(serial[:10]))
+        self.assertGreater(sum(ranks[:100]), 0.98 * sum(serial[:100]))
 
     def compare(self, size, ranks):
         project = self.project(size, "[vtu]")
