@@ -170,8 +170,8 @@ class InputDeck {
   std::vector<std::int32_t> region_of_;  // by solid
 };
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_abaqus_inp(const ModelMesh& model, const WriteOptions& options,
+                                                    const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   const std::filesystem::path file = stem.string() + ".inp";
   std::vector<SidecarGroup> sidecar;
@@ -186,7 +186,7 @@ Format abaqus_format() {
           {".inp"},
           "Abaqus, CalculiX",
           {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
-          write,
+          write_abaqus_inp,
           read_abaqus_mesh,
           write_calculix_starter,
           [](double coordinate) { return std::strtod(text_of_20(coordinate).c_str(), nullptr); }};

@@ -92,8 +92,8 @@ void write_part(OutputText& out, const SolverMesh& whole, const MeshParts& parts
   out << "$EndElements\n";
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem, Encoding encoding) {
+std::vector<std::filesystem::path> write_gmsh22(const ModelMesh& model, const WriteOptions& options,
+                                                const std::filesystem::path& stem, Encoding encoding) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   if (options.partitions > 1)
     return write_gmsh_parts(
@@ -117,11 +117,11 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 std::vector<std::filesystem::path> write_text(const ModelMesh& mesh, const WriteOptions& options,
                                               const std::filesystem::path& stem) {
-  return write(mesh, options, stem, Encoding::text);
+  return write_gmsh22(mesh, options, stem, Encoding::text);
 }
 std::vector<std::filesystem::path> write_binary(const ModelMesh& mesh, const WriteOptions& options,
                                                 const std::filesystem::path& stem) {
-  return write(mesh, options, stem, Encoding::binary);
+  return write_gmsh22(mesh, options, stem, Encoding::binary);
 }
 
 constexpr FormatHolds holds(Encoding encoding) {

@@ -139,8 +139,8 @@ void write_elements(OutputText& out, Encoding encoding, const SolverMesh& mesh, 
   end_section(out, encoding, "Elements");
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem, Encoding encoding) {
+std::vector<std::filesystem::path> write_gmsh41(const ModelMesh& model, const WriteOptions& options,
+                                                const std::filesystem::path& stem, Encoding encoding) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   if (options.partitions > 1) return write_gmsh41_parts(mesh, options, stem, encoding);
   const GmshGroups groups = gmsh_groups(mesh, options);
@@ -160,11 +160,11 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 std::vector<std::filesystem::path> write_text(const ModelMesh& mesh, const WriteOptions& options,
                                               const std::filesystem::path& stem) {
-  return write(mesh, options, stem, Encoding::text);
+  return write_gmsh41(mesh, options, stem, Encoding::text);
 }
 std::vector<std::filesystem::path> write_binary(const ModelMesh& mesh, const WriteOptions& options,
                                                 const std::filesystem::path& stem) {
-  return write(mesh, options, stem, Encoding::binary);
+  return write_gmsh41(mesh, options, stem, Encoding::binary);
 }
 
 const FormatHolds holds{.second_order = true,

@@ -34,8 +34,8 @@ void write_cells(OutputText& out, const SolverMesh& mesh, const char* title, int
   }
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_mfem(const ModelMesh& model, const WriteOptions& options,
+                                              const std::filesystem::path& stem) {
   WriteOptions one_tag = options;
   if (one_tag.groups == GroupChoice::both) one_tag.groups = GroupChoice::whole;  // an MFEM face has only one attribute
   const SolverMesh mesh = make_solver_mesh(model, one_tag);
@@ -58,7 +58,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format mfem_format() {
-  return {"mfem", {".mesh"}, "MFEM mesh v1.0", {.names = false, .triangles_alone = true}, write, read_mfem_mesh};
+  return {"mfem", {".mesh"}, "MFEM mesh v1.0", {.names = false, .triangles_alone = true}, write_mfem, read_mfem_mesh};
 }
 
 }  // namespace geomesh::geomodel

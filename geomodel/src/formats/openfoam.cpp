@@ -302,8 +302,8 @@ class FoamCase {
   WrittenFiles written_;
 };
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_openfoam(const ModelMesh& model, const WriteOptions& options,
+                                                  const std::filesystem::path& stem) {
   WriteOptions one_label = options;
   one_label.curves = false;
   // An OpenFOAM face is in only one patch.
@@ -314,6 +314,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format openfoam_format() { return {"openfoam", {".foam"}, "OpenFOAM polyMesh", {}, write, nullptr}; }
+Format openfoam_format() { return {"openfoam", {".foam"}, "OpenFOAM polyMesh", {}, write_openfoam, nullptr}; }
 
 }  // namespace geomesh::geomodel

@@ -142,8 +142,8 @@ void write_subset(const SolverMesh& mesh, const CellGroup& group, Compression co
   write_vtk_document(document, compression, file);
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_opengeosys(const ModelMesh& model, const WriteOptions& options,
+                                                    const std::filesystem::path& stem) {
   SolverMesh mesh = make_solver_mesh(model, options);
   // OpenGeoSys files are written without the rows of cells in the mesh, which take a quarter of the memory of the mesh.
   for (CellBlock& block : mesh.blocks) block.rows = {};
@@ -175,7 +175,7 @@ Format ogs_format() {
           {".ogs.vtu"},
           "OpenGeoSys 6",
           {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
-          write,
+          write_opengeosys,
           nullptr,
           write_ogs_starter};
 }

@@ -28,8 +28,8 @@ void write_grid(OutputText& out, const SolverMesh& mesh) {
   for (std::size_t v = 0; v < mesh.n_nodes(); ++v) out << mesh.node(v) << "\n";
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_pflotran(const ModelMesh& model, const WriteOptions& options,
+                                                  const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   WrittenFiles written;
   SolverNames names(name_limit_plain);
@@ -66,7 +66,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format pflotran_format() {
-  return {"pflotran", {".ugi"}, "PFLOTRAN implicit grid", {.overlapping = true}, write, nullptr};
+  return {"pflotran", {".ugi"}, "PFLOTRAN implicit grid", {.overlapping = true}, write_pflotran, nullptr};
 }
 
 }  // namespace geomesh::geomodel

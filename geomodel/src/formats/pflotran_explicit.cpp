@@ -24,8 +24,8 @@ void write_grid(OutputText& out, const ModelMesh& mesh, const ControlVolumes& gr
         << " " << c.area << "\n";
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions&,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_pflotran_explicit(const ModelMesh& mesh, const WriteOptions&,
+                                                           const std::filesystem::path& stem) {
   const ControlVolumes grid = control_volumes(mesh);
   const std::filesystem::path file = stem.string() + ".uge";
   WrittenFiles written;
@@ -60,7 +60,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptio
 }  // namespace
 
 Format pflotran_explicit_format() {
-  return {"pflotran-explicit", {".uge"}, "PFLOTRAN explicit grid (Voronoi)", {}, write, nullptr};
+  return {"pflotran-explicit", {".uge"}, "PFLOTRAN explicit grid (Voronoi)", {}, write_pflotran_explicit, nullptr};
 }
 
 }  // namespace geomesh::geomodel

@@ -40,8 +40,8 @@ void write_cells(OutputText& out, const SolverMesh& mesh, int dimension, const c
   }
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_tetgen(const ModelMesh& model, const WriteOptions& options,
+                                                const std::filesystem::path& stem) {
   WriteOptions one_label = options;
   // A TetGen face has only one marker.
   if (one_label.groups == GroupChoice::both) one_label.groups = GroupChoice::whole;
@@ -68,7 +68,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format tetgen_format() {
-  return {"tetgen", {".ele"}, "TetGen's .node, .ele, .face, .edge", {.curves = true, .names = false}, write, nullptr};
+  return {"tetgen",     {".ele"}, "TetGen's .node, .ele, .face, .edge", {.curves = true, .names = false},
+          write_tetgen, nullptr};
 }
 
 }  // namespace geomesh::geomodel

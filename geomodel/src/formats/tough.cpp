@@ -86,8 +86,8 @@ void write_mesh(OutputText& out, const ModelMesh& mesh, const ControlVolumes& gr
   out << "\n";
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions&,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_tough(const ModelMesh& mesh, const WriteOptions&,
+                                               const std::filesystem::path& stem) {
   if (mesh.points.size() > most_elements)
     throw Error(ErrorKind::cannot_mesh, "TOUGH can distinguish at most " + std::to_string(most_elements) +
                                             " elements apart by their names; the mesh has " +
@@ -108,6 +108,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptio
 
 }  // namespace
 
-Format tough_format() { return {"tough", {".tough"}, "TOUGH2 and TOUGH3 (Voronoi)", {.names = false}, write, nullptr}; }
+Format tough_format() {
+  return {"tough", {".tough"}, "TOUGH2 and TOUGH3 (Voronoi)", {.names = false}, write_tough, nullptr};
+}
 
 }  // namespace geomesh::geomodel

@@ -53,8 +53,8 @@ void write_faces(OutputText& out, const SolverMesh& mesh, bool beside_volume) {
   for (const auto& [v, number] : number_of) out << number << " " << v + std::size_t{1} << "\n";
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_avs(const ModelMesh& model, const WriteOptions& options,
+                                             const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, with_one_number(options));
   const std::filesystem::path file = stem.string() + ".avs", faces = stem.string() + ".faces.avs";
   WrittenFiles written;
@@ -77,7 +77,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format avs_format() {
-  return {"avs", {".avs"}, "AVS UCD (LaGriT)", {.names = false, .triangles_alone = true}, write, nullptr};
+  return {"avs", {".avs"}, "AVS UCD (LaGriT)", {.names = false, .triangles_alone = true}, write_avs, nullptr};
 }
 
 }  // namespace geomesh::geomodel

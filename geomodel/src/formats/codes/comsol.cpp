@@ -101,8 +101,8 @@ class MeshFile {
   std::vector<SidecarGroup> sidecar_;
 };
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_comsol(const ModelMesh& model, const WriteOptions& options,
+                                                const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   const std::filesystem::path file = stem.string() + ".mphtxt";
   std::vector<SidecarGroup> sidecar;
@@ -113,7 +113,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format comsol_format() {
-  return {"comsol", {".mphtxt"}, "COMSOL Multiphysics", {.curves = true, .overlapping = true}, write, nullptr};
+  return {"comsol", {".mphtxt"}, "COMSOL Multiphysics", {.curves = true, .overlapping = true}, write_comsol, nullptr};
 }
 
 }  // namespace geomesh::geomodel

@@ -106,8 +106,8 @@ class ProblemFile {
   std::vector<SidecarGroup> sidecar_;
 };
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_feflow(const ModelMesh& model, const WriteOptions& options,
+                                                const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   const std::filesystem::path file = stem.string() + ".fem";
   std::vector<SidecarGroup> sidecar;
@@ -117,6 +117,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format feflow_format() { return {"feflow", {".fem"}, "FEFLOW", {.curves = true, .overlapping = true}, write, nullptr}; }
+Format feflow_format() {
+  return {"feflow", {".fem"}, "FEFLOW", {.curves = true, .overlapping = true}, write_feflow, nullptr};
+}
 
 }  // namespace geomesh::geomodel

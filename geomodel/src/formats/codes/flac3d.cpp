@@ -83,8 +83,8 @@ class GridWriter {
   std::vector<SidecarGroup> sidecar_;
 };
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_flac3d(const ModelMesh& model, const WriteOptions& options,
+                                                const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   const std::filesystem::path file = stem.string() + ".f3grid";
   std::vector<SidecarGroup> sidecar;
@@ -94,6 +94,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format flac3d_format() { return {"flac3d", {".f3grid"}, "FLAC3D", {.overlapping = true}, write, nullptr}; }
+Format flac3d_format() { return {"flac3d", {".f3grid"}, "FLAC3D", {.overlapping = true}, write_flac3d, nullptr}; }
 
 }  // namespace geomesh::geomodel

@@ -83,8 +83,8 @@ class SolidFile {
   std::vector<SidecarGroup> sidecar_;
 };
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_gocad_tsolid(const ModelMesh& model, const WriteOptions& options,
+                                                      const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, with_one_number(options));
   const std::filesystem::path file = stem.string() + ".so";
   std::vector<SidecarGroup> sidecar;
@@ -94,6 +94,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format gocad_tsolid_format() { return {"tsolid", {".so"}, "GOCAD TSolid (SKUA)", {}, write, nullptr}; }
+Format gocad_tsolid_format() { return {"tsolid", {".so"}, "GOCAD TSolid (SKUA)", {}, write_gocad_tsolid, nullptr}; }
 
 }  // namespace geomesh::geomodel

@@ -147,8 +147,8 @@ class Scene {
   std::vector<SidecarGroup> sidecar_;
 };
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_glb(const ModelMesh& model, const WriteOptions& options,
+                                             const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, with_one_number(options));
   const Scene scene(mesh);
   const std::filesystem::path file = stem.string() + ".glb";
@@ -158,6 +158,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format glb_format() { return {"glb", {".glb"}, "glTF of the surfaces", {.triangles_alone = true}, write, nullptr}; }
+Format glb_format() { return {"glb", {".glb"}, "glTF of the surfaces", {.triangles_alone = true}, write_glb, nullptr}; }
 
 }  // namespace geomesh::geomodel

@@ -47,8 +47,8 @@ void write_surface(OutputText& out, const SolverMesh& mesh, const CellGroup& gro
   out << "END\n";
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_gocad_tsurf(const ModelMesh& model, const WriteOptions& options,
+                                                     const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   const std::filesystem::path file = stem.string() + ".ts";
   SolverNames names(name_limit_plain);
@@ -67,8 +67,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format gocad_tsurf_format() {
-  return {"tsurf", {".ts"}, "GOCAD TSurf of the surfaces", {.overlapping = true, .triangles_alone = true},
-          write,   nullptr};
+  return {"tsurf",           {".ts"}, "GOCAD TSurf of the surfaces", {.overlapping = true, .triangles_alone = true},
+          write_gocad_tsurf, nullptr};
 }
 
 }  // namespace geomesh::geomodel

@@ -48,8 +48,8 @@ void write_colours(OutputText& out, const std::vector<NamedFaces>& named) {
   }
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_obj(const ModelMesh& model, const WriteOptions& options,
+                                             const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, with_one_number(options));
   const std::vector<NamedFaces> named = named_faces(mesh);
   const std::filesystem::path file = stem.string() + ".obj", colours_file = stem.string() + ".mtl";
@@ -68,7 +68,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format obj_format() {
-  return {"obj", {".obj"}, "Wavefront OBJ of the surfaces", {.triangles_alone = true}, write, nullptr};
+  return {"obj", {".obj"}, "Wavefront OBJ of the surfaces", {.triangles_alone = true}, write_obj, nullptr};
 }
 
 }  // namespace geomesh::geomodel

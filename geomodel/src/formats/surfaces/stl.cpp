@@ -33,8 +33,8 @@ void write_solid(OutputText& out, const SolverMesh& mesh, const CellGroup& label
   out << "endsolid " << name << "\n";
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_stl(const ModelMesh& model, const WriteOptions& options,
+                                             const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, with_one_number(options));
   const std::filesystem::path file = stem.string() + ".stl";
   SolverNames names(name_limit_plain);
@@ -52,6 +52,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format stl_format() { return {"stl", {".stl"}, "STL of the surfaces", {.triangles_alone = true}, write, nullptr}; }
+Format stl_format() { return {"stl", {".stl"}, "STL of the surfaces", {.triangles_alone = true}, write_stl, nullptr}; }
 
 }  // namespace geomesh::geomodel

@@ -136,8 +136,8 @@ std::string snippet(const ModelMesh& mesh, const std::vector<Block>& blocks, con
   return text.text();
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_geos(const ModelMesh& mesh, const WriteOptions& options,
+                                              const std::filesystem::path& stem) {
   WrittenFiles written;
   std::vector<Block> blocks{{"main", stem.string() + ".geos.vtu"}};
   write_main(mesh, options, blocks[0].file);
@@ -169,6 +169,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptio
 
 }  // namespace
 
-Format geos_format() { return {"geos", {".vtm"}, "GEOS, with split nodes", {.names = false}, write, nullptr}; }
+Format geos_format() { return {"geos", {".vtm"}, "GEOS, with split nodes", {.names = false}, write_geos, nullptr}; }
 
 }  // namespace geomesh::geomodel

@@ -42,8 +42,8 @@ void write_beside(const ModelMesh& mesh, const WriteOptions& options, const std:
   written.add(write_sidecar(mesh, groups_of(mesh), file));
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions& given,
-                                         const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_vtu(const ModelMesh& mesh, const WriteOptions& given,
+                                             const std::filesystem::path& stem) {
   WriteOptions options = given;
   options.single_grid |= options.fractures_only;
   WrittenFiles written;
@@ -80,7 +80,7 @@ Format vtu_format() {
            .overlapping = true,
            .partitions = true,
            .triangles_alone = true},
-          write,
+          write_vtu,
           read_vtu_mesh};
 }
 
