@@ -273,7 +273,8 @@ class Arrangement {
     end_continuations(clip, options_);
     add(cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself), result_.merging.displacement);
     context_.check_cancelled();
-    return take(round_to_doubles(arranged, ingested_.complex, {first_rounding_, planes_}));
+    return take(round_to_doubles(arranged, ingested_.complex,
+                                 {.snap = first_rounding_, .box = planes_, .onto_sides_alone = true}));
   }
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {

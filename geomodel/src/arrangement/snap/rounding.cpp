@@ -22,11 +22,15 @@ class Anchors {
  public:
   explicit Anchors(const RoundingOptions& options) : options_(options), snap_(options.snap) {}
 
-  void add(const Vec3& p) { cells_[cell_of(p)].push_back(p); }
+  void add(const Vec3& p) {
+    if (!options_.onto_sides_alone || (options_.box && sides_at(p, *options_.box) > 0)) cells_[cell_of(p)].push_back(p);
+  }
 
   /// Returns the rounded place of a constructed point p: a stored place near it, or p itself, which is then stored.
   Vec3 place(const Vec3& p) {
-    if (const Vec3* const anchor = nearest(p)) return *anchor;
+    if (snap_ == 0) return p;
+    const Vec3* const anchor = !options_.onto_sides_alone || is_beside_side(p) ? nearest(p) : nullptr;
+    if (anchor) return *anchor;
     add(p);
     return p;
   }
@@ -59,6 +63,13 @@ class Anchors {
     for (std::size_t i = 0; options_.box && i < 3; ++i)
       if ((p[i] == options_.box->min[i] || p[i] == options_.box->max[i]) && p[i] != q[i]) return false;
     return true;
+  }
+  /// Returns whether the point p is closer to a side of the box than the snapping distance, but not on it.
+  bool is_beside_side(const Vec3& p) const {
+    for (std::size_t i = 0; options_.box && i < 3; ++i)
+      for (const double side : {options_.box->min[i], options_.box->max[i]})
+        if (p[i] != side && std::fabs(p[i] - side) < snap_) return true;
+    return false;
   }
 
   const RoundingOptions& options_;
@@ -95,7 +106,7 @@ class Rounding {
     const ExactVertices& vertices = arranged_.vertices;
     Complex& out = result_.complex;
     std::unordered_map<Vec3, VertexIndex, PointHash> made_at;
-    add_anchors();
+    if (options_.snap > 0) add_anchors();
     std::vector<Vec3> placed(vertices.size() - vertices.n_given());
     for (const Index v : order_of_placing()) made_at.emplace(placed[v - vertices.n_given()] = place(v), no_vertex);
     for (Index v = 0; v < vertices.n_given(); ++v) {
@@ -118,14 +129,14 @@ class Rounding {
     out.input_point.resize(out.points.size(), no_index);
   }
 
-  /// Returns the used constructed vertices in the order in which they are rounded. Those on the box's sides come first:
-  /// they cannot leave a side, and others can snap to them.
+  /// Returns the used constructed vertices in the order in which they are rounded. If points may snap, those on the
+  /// box's sides come first: they cannot leave a side, and others can snap to them.
   std::vector<Index> order_of_placing() const {
     const ExactVertices& vertices = arranged_.vertices;
     std::vector<Index> order;
     for (Index v = static_cast<Index>(vertices.n_given()); v < vertices.size(); ++v)
       if (row_[v] == used) order.push_back(v);
-    if (!options_.box) return order;
+    if (options_.snap == 0 || !options_.box) return order;
     const auto n_sides = [&](Index v) { return sides_at(vertices.rounded(v), *options_.box); };
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return n_sides(a) > n_sides(b); });
     return order;

@@ -8,11 +8,13 @@
 namespace geomesh::geomodel::arrangement {
 
 struct RoundingOptions {
-  /// Snapping distance. A constructed point closer than this to a vertex of the changed facets, or to an earlier
-  /// constructed point, is moved there. Crossings then bend to existing vertices instead of making ever more of them
-  /// (like hot pixels in snap rounding: Hobby 1999).
-  double snap;
+  /// Snapping distance. With 0, constructed points are rounded to their nearest doubles. Otherwise a point closer than
+  /// this to a vertex of the changed facets, or to an earlier constructed point, is moved there. Crossings then bend to
+  /// existing vertices instead of making ever more of them (like hot pixels in snap rounding: Hobby 1999).
+  double snap = 0;
   std::optional<Box3> box;  ///< points on the planes of the model's box remain on them
+  /// Restricts snapping to points that are closer to a plane of the box than `snap`, but not on it.
+  bool onto_sides_alone = false;
 };
 
 struct Rounded {
