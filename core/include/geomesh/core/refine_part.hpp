@@ -29,7 +29,7 @@ struct TetrahedraPart {
 
 /// Refines a part of a mesh to the target sizes if `options.refine` is set, then improves its elements. Inner points
 /// that are not kept have no influence on the refined tetrahedra. Kept points come first in the result, in their order.
-/// Of the options, only `refine`, `quality`, `quality_measure`, `max_elements` and `time_budget` are used.
+/// Uses only the options `refine`, `quality`, `quality_measure`, `max_elements` and `time_budget`.
 /// Preconditions: every tetrahedron is positive; components differ only across kept faces. Throws the errors of
 /// refine_and_improve, and InternalError if something that must be kept was not.
 RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& options,
